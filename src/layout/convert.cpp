@@ -59,7 +59,7 @@ class Conversion {
     if (params.display_picture) pool_ = std::make_unique<ThreadPool>(resolved_threads(params.threads));
   }
 
-  /// `is_frame`: `in` is a frame of a folder, so that the user did not choose the ending of `out`.
+  /// `is_frame`: whether `in` is a frame in a folder. The ending of `out` is then not the user's choice, and is replaced.
   void convert_one(const fs::path& in, const fs::path& out, bool is_frame, Converted& result) const {
     if (params_.display_picture) return convert_for_display(in, out, is_frame, result);
     FormatOptions reading = params_.options;

@@ -16,9 +16,9 @@ struct DepthMapCoding {
   bool even_in_depth = false;
 };
 
-/// Returns the default coding of a file. The channel Z of an EXR file is linear in depth: a distance from the camera,
-/// or a height above the display if a value is negative. A HEIC photo states its own coding. All other files are linear
-/// in disparity, with white near. Throws Error naming the file.
+/// Returns the default coding of a file. The channel Z of an EXR file is linear in depth: if any value is negative, the values
+/// are heights above the display, otherwise distances from the camera. A HEIC photo states its own coding. All other files are
+/// linear in disparity, with white near. Throws Error naming the file.
 DepthMapCoding default_depth_coding(const std::filesystem::path& path);
 
 /// Reads a map as grey for depth_of_grey() (layout/rgbd_side_file.hpp), with 1 channel, resized to `size` by

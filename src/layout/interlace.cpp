@@ -35,7 +35,8 @@ struct Views {
   }
 };
 
-/// Two samples for linear interpolation, with the indices `at` and `next` = min(`at` + 1, last index). `share`: weight of `next`.
+/// Two samples for linear interpolation, with the indices `at` and `next` = min(`at` + 1, last index). `share`: weight of
+/// `next`.
 struct Between {
   int at, next;
   float share;

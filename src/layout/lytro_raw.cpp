@@ -49,7 +49,7 @@ SensorLevels sensor_levels(const JsonFields& format) {
   return levels;
 }
 
-/// Position of the red pixel among the first 2 x 2 pixels, because the picture may begin at any pixel of the pattern
+/// Returns the position of the red pixel among the first 2 x 2 pixels. The picture may begin at any pixel of the pattern
 /// r,gr:gb,b.
 Vec2i red_place(const JsonFields& mosaic) {
   mosaic.word("tile", {"r,gr:gb,b"});

@@ -32,7 +32,7 @@ LytroRaw read_lytro(const std::filesystem::path& path);
 LytroRaw parse_lfr(std::span<const std::byte> file, const std::string& where);
 LytroRaw parse_lytro(std::span<const std::byte> codes, const std::string& metadata, const std::string& where);
 
-/// Applies white balance and colour matrix, in sRGB encoding. The sensor's white level becomes white.
+/// Returns the picture in sRGB encoding, after white balance and the colour matrix. The sensor's white level becomes white.
 Image16 developed(const LytroRaw& raw);
 
 }  // namespace lippmann

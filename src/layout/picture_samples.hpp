@@ -16,7 +16,7 @@ auto& samples_of(T& image) {
     return image.rgb;
 }
 
-/// Rounds an interpolated value if samples are integers.
+/// Converts an interpolated value to a sample. Rounds the value if samples are integers.
 template <class Sample>
 Sample nearest_sample(double value) {
   return static_cast<Sample>(std::is_floating_point_v<Sample> ? value : std::floor(value + 0.5));

@@ -78,8 +78,8 @@ class SampledRangeSearch {
     margin_ = Vec2d(c * reach.x + s * reach.y, s * reach.x + c * reach.y) + 0.5 - kSlackPx;
   }
 
-  /// Starts with all lenses. Repeatedly drops the row or column at a side that has the largest share of lenses outside of the
-  /// picture.
+  /// Starts with all lenses. As long as lenses at the four sides lie outside of the picture, removes the row or column at the
+  /// side with the largest share of such lenses.
   SampledRange find() const {
     SampledRange range = all();
     while (range.columns() > 0 && range.rows() > 0) {

@@ -17,8 +17,9 @@ inline constexpr double kMmPerUnit = 1000.0;  ///< the files store metres
 struct PosedPicture {
   std::string entry;           ///< the file and the position of the entry in it, for messages: "transforms.json: frames[3]"
   std::string picture, depth;  ///< paths relative to the folder; `depth` is empty if there is no depth file
-  /// Values that the file does not state are 0, or NaN for the principal point. read_posed_pictures() then takes the size of
-  /// the picture, its middle as principal point, the focal length for `angle_x`, and the same focal length for y as for x.
+  /// Values that the file does not state are 0, except for the principal point, which is NaN. read_posed_pictures() replaces
+  /// them: the size by that of the picture, the principal point by the middle of the picture, focal_px.x by the focal length
+  /// that follows from `angle_x`, and focal_px.y by focal_px.x.
   PosedCamera camera;
   double angle_x = 0.0;                       ///< horizontal field of view; 0: not stated
   std::optional<Vec2d> depth_bounds_mm = {};  ///< nearest and farthest depth

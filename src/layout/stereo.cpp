@@ -31,8 +31,8 @@ Vec2i views_in_picture(StereoPacking packing) {
   return {1, 1};
 }
 
-/// What a pixel of the picture shows. `place`: 0 for the first view, 1 for the second view. `pixel`: position in that view as
-/// stored.
+/// The view that a pixel of the picture belongs to. `place`: 0 for the first view, 1 for the second view. `pixel`: position in
+/// that view as stored.
 struct StereoPlace {
   int place;
   Vec2i pixel;

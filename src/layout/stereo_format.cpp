@@ -21,7 +21,7 @@ StereoLayout described_stereo(const fs::path& path, const FormatOptions& options
                                 kStereoPackingNames[3], kStereoPackingNames[4]));
 }
 
-/// Squeezed views stay squeezed, and row-interlaced views have half the rows.
+/// Reads both views as they are stored: squeezed views stay squeezed, and row-interlaced views have half the rows.
 LightField read_stereo(const fs::path& path, const FormatOptions& options) {
   const StereoLayout layout = described_stereo(path, options);
   const Picture picture = read_picture(path, options.warn);
@@ -45,7 +45,8 @@ Vec2i whole_view_size(const LightField& field) {
   return {size.x, static_cast<int>(std::lround(size.y / wider))};
 }
 
-/// Returns the size of a view as stored: its whole size, squeezed. Rounds up a side before halving it.
+/// Returns the size of a view as stored: the size of the whole view, squeezed. Halved sides are rounded up. In row-interlaced
+/// pictures, the number of rows is rounded up to an even number.
 Vec2i stored_size_of(const LightField& field, StereoPacking packing) {
   const Vec2i squeeze = stereo_squeeze(packing), whole = whole_view_size(field);
   const Vec2i stored = (whole + squeeze - 1) / squeeze;

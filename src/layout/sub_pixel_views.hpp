@@ -9,7 +9,8 @@ namespace lippmann {
 
 /// One row of a slanted panel. view(i, color) returns the view coordinate v of a sub-pixel of pixel i.
 struct SubPixelRow {
-  std::array<std::array<double, 3>, 2> phase;  ///< [i & 1][color]: phase of pixel 0 if its sub-pixels are arranged as in pixel i
+  /// phase[i & 1][color]: phase that pixel 0 would have if its sub-pixels were arranged as in pixel i.
+  std::array<std::array<double, 3>, 2> phase;
   double phase_per_pixel;
   bool inverted;
 

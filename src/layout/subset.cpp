@@ -28,7 +28,7 @@ std::vector<int> members(const ViewRange& range, int count, const char* axis, co
   return all;
 }
 
-/// Returns a light field with another grid and view size and otherwise the same properties. Its stack is black.
+/// Returns a light field with the properties of `field`, but with another grid and view size, and with a black stack.
 LightField like(const LightField& field, ViewGrid grid, Vec2i view_size) {
   LightField other;
   other.grid = grid, other.view_size = view_size;

@@ -29,8 +29,8 @@ std::vector<NumberedFile> numbered_files(const std::filesystem::path& folder, co
 /// folder and a missing file if the grid is incomplete.
 ViewGrid complete_grid(const std::filesystem::path& folder, const std::vector<NumberedFile>& files);
 
-/// Throws Error naming the first missing file unless `files`, which have one number each, have all numbers from `first` to
-/// `last`. name(number) returns a file name without extension.
+/// Throws Error naming the first missing file unless `files` contains a file for every number from `first` to `last`. Each file
+/// has one number. name(number) returns a file name without extension.
 void require_all_views(const std::filesystem::path& folder, const std::vector<NumberedFile>& files, int first, int last,
                        const std::function<std::string(int number)>& name);
 

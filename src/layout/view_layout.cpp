@@ -9,7 +9,7 @@
 namespace lippmann {
 namespace {
 
-/// Position of a view's top left pixel, and the steps from a pixel of the view to its neighbours.
+/// `at`: position of a view's top left pixel. `step`: distance from a pixel of the view to the next pixel, across and down.
 struct Corner {
   Vec2i at, step;
 };

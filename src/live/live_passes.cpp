@@ -20,7 +20,8 @@ namespace {
 
 /// Number of pixels of a coarse image. One core traces them in a fraction of a second.
 constexpr double kCoarsePixels = 48e3;
-/// Samples per pixel of coarse, path-traced images. An image of few pixels with little noise shows more than a larger noisy image.
+/// Samples per pixel of coarse, path-traced images. An image of few pixels with little noise shows more than a larger, noisy
+/// image.
 constexpr int kCoarsePaths = 4;
 
 /// Returns the layout of a panel's image. The native layout converts a film of sub-pixels to pixels.

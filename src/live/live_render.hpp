@@ -45,7 +45,7 @@ class LiveRender {
   Context context_;
   std::string state_, folder_, error_;
   int frames_ = 0, done_ = 0;
-  double share_ = 0.0;  ///< traced fraction of the current frame
+  double share_ = 0.0;  ///< fraction of the current frame that is traced
   double started_ = 0.0;
 };
 

@@ -20,7 +20,8 @@ class LiveSettings {
  public:
   LiveSettings(RenderParams base);  // NOLINT(google-explicit-constructor): parameters are unchanged settings
 
-  /// Uses `first` until the page sets optics or a display. `first` differs from `base` only in its optics.
+  /// Starts with the parameters `first`, which differ from `base` only in their optics. When the page sets optics or a display,
+  /// the changes apply to `base` instead.
   LiveSettings(RenderParams base, RenderParams first);
 
   /// A null `value` restores the value of the command line. Throws a usage Error naming the parameter and the accepted values.

@@ -24,8 +24,8 @@ void require_agreement(int size, int lenses, float pixels, const char* direction
 /// lenses, or the default.
 float lens_pixels_across(const OpticsParams& params);
 
-/// Returns the centre of a cell near the middle of the panel, relative to the middle. Cells are `cell` wide and begin at the
-/// edge of the panel, which is `extent` wide.
+/// Returns the centre of the cell that contains the middle of the panel, relative to the middle. The panel is `extent` wide.
+/// Cells are `cell` wide, and the first cell begins at the edge of the panel.
 float cell_center_nearest_middle(float extent, float cell);
 
 struct LensGeometry {

@@ -51,8 +51,8 @@ struct OpticsFacts {
   Vec2d crosstalk_pitch{0.0};
 };
 
-/// Returns the width that one pixel covers through its lens at depth z: the lens pitch (scaled by perspective from the viewing
-/// distance) or the magnified pixel, whichever is larger.
+/// Returns the width that one pixel covers through its lens at depth z. It is the larger of two widths: the lens pitch, scaled
+/// by the perspective of the viewing distance, and the pixel, magnified by the lens.
 inline float lens_footprint_mm(float pitch_mm, float gap_mm, float viewing_distance_mm, float pixel_pitch_mm, float z_mm) {
   return std::max(pitch_mm * std::abs(1.0f - z_mm / viewing_distance_mm), std::abs(z_mm) * pixel_pitch_mm / gap_mm);
 }

@@ -116,8 +116,8 @@ namespace {
 
 bool is_grid(const MultiView& views) { return views.baseline_mm > 0.0f; }
 
-/// Returns the full angle of the viewing zone. For a camera grid with n eyes along its longer side, the zone is n baselines wide
-/// at the distance of the eyes.
+/// Returns the full angle of the viewing zone. For a camera grid with n eyes along its longer side, the zone is n baselines
+/// wide at the distance of the eyes.
 float views_zone(const MultiView& views) {
   if (!is_grid(views)) return views.view_cone;
   const auto eyes = static_cast<float>(std::max(views.columns, views.rows));

@@ -4,8 +4,8 @@
 // 1. Tiles have floor(width / columns) x floor(height / rows) pixels and are anchored at the bottom left. Remaining pixels at
 //    the top and at the right are padding. The rays of padding continue the adjacent view; pixels_seeing() skips padding.
 // 2. The tile of view v is in column v mod columns and row floor(v / columns), counted from the bottom.
-// 3. The eye of view v of N is at (distance tan(cone ((v + 1/2) / N - 1/2)), 0, distance). In a camera grid, it is at (baseline
-//    (column - (columns - 1)/2), baseline (row - (rows - 1)/2), distance).
+// 3. The eye of view v of N is at (distance tan(cone ((v + 1/2) / N - 1/2)), 0, distance). In a camera grid, the eye is at
+//    (baseline (column - (columns - 1)/2), baseline (row - (rows - 1)/2), distance).
 // 4. The eye's x and y are scaled by the parallax. Then the eye height is added to y.
 #pragma once
 

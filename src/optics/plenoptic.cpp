@@ -131,8 +131,8 @@ double given_image_distance(const ModelSetup& setup) {
   return image_distance_mm(f, z);
 }
 
-/// Returns the given gap. Without one, returns the focal length of the microlenses, or else the gap at which the images below
-/// them touch.
+/// Returns the gap between microlenses and sensor: the given gap or, if none is given, the given focal length of the
+/// microlenses. If neither is given, returns the gap at which the images below the microlenses touch.
 double gap_of(const ModelSetup& setup, double cell) {
   if (setup.params.gap_mm) return static_cast<double>(*setup.params.gap_mm);
   if (setup.params.lens_focal_length_mm) return static_cast<double>(*setup.params.lens_focal_length_mm);

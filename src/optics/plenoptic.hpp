@@ -17,8 +17,8 @@
 //    the distance t (optics/lens_axis.hpp), and are p (1 + b/t) apart.
 // 2. The ray of a pixel at offset o (in pixels) from the centre of its cell passes through the point A = o m t/b of the main
 //    lens. The ray is blocked if |A| > f / 2N. The images below the microlenses touch if b = N p (1 + b/t) t/f.
-// 3. The main lens (a thin lens) adds A/f to the slope of the ray. In front of the camera, the line is x(Z) = A - Z (A/f - (A +
-//    l)/t).
+// 3. The main lens (a thin lens) adds A/f to the slope of the ray. In front of the camera, the line is
+//    x(Z) = A - Z (A/f - (A + l)/t).
 //
 // For e = 0, the line is x(Z) = A (1 - Z/Zf) + l Z/s. Then all pixels below a microlens see the same point of the plane z = 0.
 // A point (X, Z) appears in the view through A at l = s (X/Z + A (1/Zf - 1/Z)). Neighbouring views are m t/b apart on the main

@@ -5,8 +5,8 @@
 namespace lippmann {
 namespace {
 
-/// Returns the panel coordinate s (lens_axis.hpp), in pixels, where a line through the centre of a lens meets the panel. `lens`:
-/// index of the lens, plus 1/2 in odd rows of a hexagonal array.
+/// Returns the panel coordinate s (lens_axis.hpp), in pixels, where a line through the centre of a lens meets the panel.
+/// `lens`: index of the lens, plus 1/2 in odd rows of a hexagonal array.
 double panel_px(const LensAxis<double>& axis, double lens, double slope) {
   const double lens_mm = axis.lens0_mm + lens * axis.pitch_mm;
   const double offset = -(slope + (lens_mm - axis.eye_mm) * axis.vergence) / axis.slope_per_px;

@@ -2,8 +2,8 @@
 // 1. The line from an eye at (e, D) through the point crosses z = 0 at x = X M + e (1 - M), where M = D / (D - Z).
 // 2. A sub-pixel below lens k with the phase k + f lies at x = (k + f - c) p, where c is the phase at x = 0.
 // 3. The eye of this sub-pixel is at e = s D tan(cone (v - 1/2)), with the parallax s and v = 1 - f (inverted) or v = f.
-// 4. Therefore f solves G(f) = p f + a tan(cone (f - 1/2)) = X M - (k - c) p. If v = 1 - f, a = (1 - M) D s; if v = f, a = -(1
-//    - M) D s.
+// 4. Therefore f solves G(f) = p f + a tan(cone (f - 1/2)) = X M - (k - c) p, with a = (1 - M) D s if v = 1 - f, and
+//    a = (M - 1) D s if v = f.
 // 5. G is monotone, except for some points in front of the panel, near the depth where a lens shows one point over its full
 //    width (Z cone = p). There G has two turning points, at cos^2(cone (f - 1/2)) = -a cone / p. In each interval where G is
 //    monotone, there is at most one solution per lens.

@@ -10,8 +10,8 @@ namespace lippmann {
 /// degrees". Returns an empty text for other optics.
 std::string view_spacing(const Optics& optics);
 
-/// Places the outermost views of a cone at the ends of the cone, or, if not `ends_included`, half a step inside. Returns other
-/// optics unchanged.
+/// Places the outermost views of a cone at the ends of the cone if `ends_included`, otherwise half a view step inside the cone.
+/// Returns other optics unchanged.
 Optics with_cone_ends(Optics optics, bool ends_included);
 
 }  // namespace lippmann

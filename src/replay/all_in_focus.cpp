@@ -12,8 +12,8 @@ namespace {
 constexpr double kWindowRadius = 1.5;  ///< half width of the averaging window, in distances between lenses
 constexpr float kNoRays = 1e6f;        ///< value for pixels without rays; finite, so that sums stay finite
 
-/// Replaces each of `count` samples, `stride` apart, by the mean of the 2 radius + 1 samples around it. Windows are cut off at
-/// the ends.
+/// Replaces each of `count` samples by the mean of the samples up to `radius` samples away. Samples are `stride` floats apart.
+/// `upto`: memory for the sums.
 void average_windows(float* line, int count, int stride, int radius, std::vector<double>& upto) {
   upto.assign(1, 0.0);
   for (int i = 0; i < count; ++i) upto.push_back(upto.back() + std::min(line[i * stride], kNoRays));

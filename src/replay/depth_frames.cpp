@@ -109,7 +109,7 @@ std::optional<RgbdFrame> RgbdFrames::next_of_video() {
                    light_field_of_rgbd(*std::exchange(picture, {}), first(), where, params_.options)};
 }
 
-/// Returns whether the display's lenses are known from the display file. Those of slanted panels must be calibrated.
+/// Returns whether the display is a lenticular sheet or a microlens array.
 bool has_lenses(const Display& display) { return display.kind != DisplayKind::kSlantedPanel; }
 
 bool is_behind_lenses(const DepthConversion& params) {

@@ -116,8 +116,8 @@ class ViewMaker {
                                    std::clamp(y, 0, source_.disparity.height - 1))[0];
   }
 
-  /// Interpolates the disparity at `at` from the four nearest pixel centres if they belong to one surface. Otherwise returns the
-  /// disparity of pixel (i, j).
+  /// Interpolates the disparity at `at` from the four nearest pixel centres if they belong to one surface. Otherwise returns
+  /// the disparity of pixel (i, j).
   double disparity_at(int i, int j, Vec2d at) const {
     const double own = source_disparity(i, j);
     const Vec2d from = at - 0.5;

@@ -25,8 +25,7 @@ std::vector<Vec2d> pupil_points(double diameter_mm, int count) {
   return points;
 }
 
-/// Returns the number of samples per pixel of the view. There are several if the view is coarser than the lens grid of the
-/// display.
+/// Returns the number of samples per pixel of the view: more than one if the display has more lenses than the view has pixels.
 Vec2i samples_per_pixel(const Optics& optics, Vec2i size) {
   constexpr int kMax = 16;
   const Vec2i grid = lens_grid(optics);

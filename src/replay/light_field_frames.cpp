@@ -127,7 +127,7 @@ void refuse_unused(const LightFieldHints& hints, const LightFieldFormat& format)
   refuse(hints.tiles && !format.reads.tiles, "quilt", "`from` quilt");
 }
 
-/// Throws for hints that contradict the cameras in the file.
+/// Throws if hints on cameras are given, because the file states its cameras.
 void refuse_stated_cameras(const LightFieldHints& hints, const fs::path& file) {
   const auto refuse = [&](bool given, const char* flag) {
     if (given)

@@ -141,8 +141,8 @@ class Band {
   std::vector<float> weights_;
 };
 
-/// Adds the pixels first_x, first_x + step, ... of every panel row and divides by the weights. color(x, y) returns a pixel's
-/// colour, indexed by channel. Checks for cancelling after each row.
+/// Adds the colours of the pixels first_x, first_x + step, ... of every panel row to the image, and then divides the sums by
+/// the sums of weights. color(x, y) returns a pixel's colour, indexed by channel. Stops after a row if `context` is cancelled.
 template <class ColorOf>
 void sum_rays(const Arrivals& arrivals, int first_x, int step, const ColorOf& color, const ThreadPool& pool,
               const Context& context, const TentSum& sum) {

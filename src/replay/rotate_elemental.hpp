@@ -13,8 +13,8 @@
 
 namespace lippmann {
 
-/// Returns the map that rotates all elemental images. At the panel's edge, a pixel becomes black if the pixel that it would copy
-/// is outside the panel. Throws Error naming `where` if the number of pixels per lens is not whole.
+/// Returns the map that rotates all elemental images. At the panel's edge, a pixel becomes black if the pixel that it would
+/// copy is outside the panel. Throws Error naming `where` if the number of pixels per lens is not whole.
 PixelMap rotated_elemental_images(const Optics& optics, const std::string& where);
 
 }  // namespace lippmann

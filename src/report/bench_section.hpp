@@ -9,7 +9,7 @@ namespace lippmann {
 
 bool is_bench_result(const nlohmann::ordered_json& json);
 
-/// Throws Error naming the file if its rows are not objects.
+/// Returns the HTML of the section. Throws Error naming `path` if the rows of `result` are not JSON objects.
 std::string bench_section(const nlohmann::ordered_json& result, const std::filesystem::path& path);
 
 }  // namespace lippmann

@@ -22,7 +22,7 @@ Chart saving_chart(const RenderFigures& render);
 /// Rays per pixel by kind of ray, or millions of rays if the frame size is unknown.
 Chart ray_chart(const RenderFigures& render);
 
-// The following charts have one line per render, over all frames that any render has. `names` names the renders.
+// The following charts compare renders, with one line per render. `names`: names of the renders.
 Chart psnr_comparison(const std::vector<RenderFigures>& renders, const std::vector<std::string>& names);
 Chart time_comparison(const std::vector<RenderFigures>& renders, const std::vector<std::string>& names);
 Chart saving_comparison(const std::vector<RenderFigures>& renders, const std::vector<std::string>& names);

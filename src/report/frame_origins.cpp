@@ -8,7 +8,8 @@ namespace {
 /// Returns whether the render copied unchanged pixels. Reports of older versions call this mode `exact`.
 bool is_copied(const RenderFigures& render) { return render.reuse == "copy" || render.reuse == "exact"; }
 
-/// Returns the origins for a frame that was not fully traced. Pixels that are neither reused nor traced count as filled.
+/// Returns the fractions of pixels by origin for a frame that was not fully traced. Pixels that are neither reused nor traced
+/// count as filled.
 OriginShares in_between_origins(const FrameReport& frame, double pixels, bool copied) {
   const double reused = std::min(static_cast<double>(frame.reused_pixels) / pixels, 1.0);
   if (copied) return {1.0 - reused, reused, 0.0, 0.0};

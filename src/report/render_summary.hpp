@@ -19,8 +19,8 @@ std::vector<SummaryFigure> render_summary(const RenderFigures& render);
 /// Returns the CPU time of all frames and source frames, divided by the number of frames; nullopt without frames.
 std::optional<double> cpu_seconds_a_frame(const RenderFigures& render);
 
-/// Returns the fraction of CPU time that reuse saved over tracing all frames. nullopt if no frame or every frame was fully
-/// traced.
+/// Returns the fraction of CPU time that reuse saved, compared to tracing all frames fully. Returns nullopt if no frame or
+/// every frame was fully traced.
 std::optional<double> total_saving(const RenderFigures& render);
 
 /// Returns the frame with the lowest sure_psnr_db(), or null if none has a PSNR.

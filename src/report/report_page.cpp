@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kAccepted = "the folder of a render, its report.json, or what `lippmann-bench` prints as JSON";
-// Largest input in bytes. A frame takes about 600 bytes.
+// Largest input in bytes: room for 400,000 frames of about 600 bytes each.
 constexpr std::uintmax_t kMostBytes = std::uintmax_t{256} << 20;
 constexpr std::size_t kMaxPictures = 6;
 /// Every report page contains this text. An existing file without this text is not overwritten.

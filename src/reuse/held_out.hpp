@@ -14,15 +14,16 @@
 // other patches and all drawn patches are traced. The mean squared error of the frame is then estimated by
 //   M = sum_h w_h sum_i e_hi,   w_h = (N_h - n_h) / (N k_h),
 // and bounded from above, at 95 % confidence, by
-//   U = M + w e + 2.326 sqrt(sum_h w_h^2 sum_i (e_hi - m_h)^2 + (w e)^2),   w the largest w_h.
+//   U = M + w e + 2.326 sqrt(sum_h w_h^2 sum_i (e_hi - m_h)^2 + (w e)^2),   where w is the largest w_h.
 //
 // The term w e stands for one error that was not drawn. Errors are rare and heavy-tailed: an error absent from n samples may
 // still occur once in n + 1. Its size e is the largest error drawn, but at least kUnseenError^2. The bound does not cover a
 // larger error that no sample finds, such as a hundred codes in a few pixels of one frame.
 //
 // The factor 2.326 is the 99 % normal quantile. The 95 % quantile, 1.645, would be too low, because rare errors are not
-// normally distributed. Suppose that k samples have equal errors and all other samples have none. U then corresponds to 3.3,
-// 5.3, 7.0, 8.7 errors for k = 0, 1, 2, 3. The exact 95 % limits of a Poisson count are 3.0, 4.7, 6.3, 7.8.
+// normally distributed. Suppose that k of many samples have the error e and all other samples have none. U then corresponds to
+// k + 1 + 2.326 sqrt(k + 1) errors: 3.3, 5.3, 7.0, 8.7 for k = 0, 1, 2, 3. The exact 95 % limits of a Poisson count are 3.0,
+// 4.7, 6.3, 7.8.
 //
 // Known samples come from two frames: the drawn patches of the frame itself, and, with weight kLearnedWeight, all patches of a
 // nearby frame that was both predicted and completely traced. The error at a level is assumed to be the same in both frames, so

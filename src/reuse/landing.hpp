@@ -68,7 +68,7 @@ struct GridScale {
 
 struct GridLine {
   float place;  ///< position at which the pixel's rays cross z = 0, in mm
-  float slope;  ///< the slope a in the formula at the top
+  float slope;  ///< a = o m/g - e/V, explained at the top of this file
   float first, low, high;
 };
 

@@ -22,7 +22,7 @@ struct MotionGroups {
   std::vector<int> node_of_group;
 };
 
-/// Does not support deforming meshes.
+/// Groups the objects of a scene by the node that moves them. Does not support deforming meshes.
 MotionGroups make_motion_groups(const Scene& scene);
 
 struct GroupMotion {

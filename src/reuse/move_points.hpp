@@ -15,7 +15,7 @@ struct alignas(64) Positions {
   float x[kPointLanes], y[kPointLanes], z[kPointLanes];
 };
 
-/// -1 if the point stays exactly in place, otherwise 0.
+/// For each point: -1 if the point stays exactly in place, otherwise 0.
 struct alignas(64) StillLanes {
   std::int32_t lane[kPointLanes];
 };

@@ -1,7 +1,7 @@
 // Divides the panel into patches of the 16 pixels that are traced together (trace/trace_packets.hpp).
 //
-// A frame's predictions are kept or retraced in whole patches. Single pixels would cost two to three times as much each,
-// because their rays are not coherent.
+// The pixels of a patch are either all predicted from other frames or all traced. Tracing single pixels would cost two to three
+// times as much per pixel, because their rays are not coherent.
 #pragma once
 
 #include <cstdint>

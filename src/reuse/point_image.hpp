@@ -22,7 +22,8 @@ struct Moment {
   Affine3f world_from_display;
 };
 
-/// The colour differs from the next sample of the same view to the right (kRightDiffers) or left (kLeftDiffers).
+/// Bits of PointImage::contrast. The colour of a pixel differs from the colour of the next sample of the same view, to the
+/// right (kRightDiffers) or to the left (kLeftDiffers).
 inline constexpr std::uint8_t kRightDiffers = 1, kLeftDiffers = 2;
 
 struct PointImage {
