@@ -63,8 +63,8 @@ std::optional<std::vector<int>> places_along(int axis, const std::vector<Vec2d>&
   return places;
 }
 
-/// Returns a difference from the first camera that ViewCameras cannot express, such as "is rotated against that of view 0";
-/// empty if there is none.
+/// Returns how `camera` differs from `first` in a way that ViewCameras cannot express, such as "is rotated against that of view
+/// 0". Returns an empty text if there is no such difference.
 std::string difference(const PosedCamera& camera, const PosedCamera& first) {
   constexpr double kSameRotation = 1e-6, kSameFocal = 1e-6, kSameHeight = 1e-4;
   double turn = 0.0;

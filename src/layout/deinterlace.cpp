@@ -1,5 +1,5 @@
-// Extracts views from the interlaced frame of a slanted panel. Each row of samples of the views is made from the panel rows
-// whose centres lie in that row.
+// Extracts views from the interlaced frame of a slanted panel. Row y of every view is made from the panel rows whose centres
+// lie in row y when the panel is scaled to the size of the view.
 #include <fmt/format.h>
 
 #include <limits>

@@ -30,7 +30,7 @@ Vec2d place_in_grid(ViewGrid grid, int view) {
 }  // namespace
 
 bool set_hdf5_cameras(const std::map<std::string, double>& attributes, LightField& field, const std::string& where) {
-  // Bounds far beyond any camera, to refuse damaged files.
+  // The bounds are far beyond the values of any camera. They only serve to refuse damaged files.
   constexpr double kLeast = 1e-6, kMost = 1e6, kMostShift = 1e4, kLeastShift = 1e-6, kEqual = 1e-6;
   const ViewGrid grid = field.grid;
   const auto across = number_between(attributes, "dH", kLeast, kMost, where);

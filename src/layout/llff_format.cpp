@@ -26,7 +26,7 @@ LightField read_llff(const fs::path& folder, const FormatOptions& options) {
   std::vector<std::string> names;
   for (const fs::directory_entry& entry : entries_of(images, accepted))
     if (entry.is_regular_file() && is_picture_name(entry.path())) names.push_back(entry.path().filename().string());
-  std::sort(names.begin(), names.end());  // LLFF orders names by letters, not by numbers
+  std::sort(names.begin(), names.end());  // LLFF sorts names as text, so "10.png" comes before "2.png"
   if (names.size() != pictures.size())
     throw Error(file.string(),
                 fmt::format("has {} rows, but {} has {} pictures", pictures.size(), images.string(), names.size()),

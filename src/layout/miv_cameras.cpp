@@ -72,7 +72,7 @@ std::vector<MivCamera> parse_miv_cameras(const std::string& text, const std::str
   std::vector<MivCamera> cameras;
   for (std::size_t i = 0; i < json["cameras"].size(); ++i) {
     const JsonFields fields(json["cameras"][i], where, fmt::format("cameras[{}]", i));
-    if (fields.value("Name") == "viewport") continue;  // TMIV adds this entry for the view that it synthesizes
+    if (fields.value("Name") == "viewport") continue;  // TMIV adds an entry "viewport" for the view that it synthesizes
     cameras.push_back(camera_from(fields));
   }
   return cameras;

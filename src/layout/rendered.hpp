@@ -24,8 +24,8 @@ struct Rendering {
   /// Value of the setting `layout` or `to`: integral, views, quilt, ...; empty: native layout of the optics.
   std::string layout = {};
   bool mirrored = false;        ///< left and right are swapped, for prints on the back of a sheet
-  bool has_depth_layer = true;  ///< false: a depth layer in the folder belongs to another render
-  bool has_provenance = false;  ///< false: a provenance layer in the folder belongs to another render
+  bool has_depth_layer = true;  ///< false: ignore depth layers in the folder, which are from another render
+  bool has_provenance = false;  ///< false: ignore provenance layers in the folder, which are from another render
   std::optional<double> frames_per_second = {};
   float depth_scale = 1.0f;  ///< shown depth / true depth
   std::map<int, FrameFacts> frames = {};

@@ -28,7 +28,7 @@ void average_windows(float* line, int count, int stride, int radius, std::vector
 
 AllInFocus::AllInFocus(const Optics& optics, Vec2i size)
     : picture_(size.x, size.y, 3), depth_(size.x, size.y, 1), least_(size.x, size.y, 1) {
-  // The averaging window is square. Its size follows from the larger of the two spacings between lenses.
+  // The averaging window is square in mm. Its size follows from the larger one of the lens spacings across and down.
   const Vec2d spacing = sample_spacing_mm(optics), pixel = display_window(optics).size / Vec2d(size);
   const Vec2d pixels = kWindowRadius * std::max(spacing.x, spacing.y) / pixel;
   radius_ = Vec2i(glm::clamp(glm::round(pixels), Vec2d(1.0), Vec2d(size)));

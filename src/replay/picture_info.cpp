@@ -68,7 +68,7 @@ std::string cameras_text(const LightField& field) {
   return field.positions ? "positions without a unit, at an unknown distance" : std::string();
 }
 
-/// Describes a rendered image without views. Returns false for other images.
+/// Sets `info` for a rendered image that cannot be divided into views. Returns false for other images.
 bool describe_rendered(const fs::path& file, PictureInfo& info) {
   const std::optional<Rendering> rendering = rendering_of(file);
   if (!rendering) return false;

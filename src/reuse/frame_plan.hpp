@@ -22,7 +22,7 @@ FrameInterval key_interval(int frame, int every, int last_frame);
 
 int middle_frame(const FrameInterval& interval);
 
-/// Returns the intervals that halving visits, from the interval between key frames to the one whose middle is `frame`.
+/// Returns the intervals that halving visits, from the interval between two key frames to the interval whose middle is `frame`.
 std::vector<FrameInterval> halving_path(int frame, int every, int last_frame);
 
 int halving_depth(int every);
