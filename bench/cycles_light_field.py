@@ -59,7 +59,7 @@ class LightField:
                 "--size", f"{columns * self.options.size}x{rows * self.options.size}"]
 
     def eyes(self):
-        """Returns the offsets of the eyes to the right of the camera, from left to right."""
+        """Returns the x of each eye relative to the camera (right is positive), from left to right."""
         return [self.array["viewing_distance"] * math.tan(math.radians(CONE_DEG) * ((v + 0.5) / VIEWS - 0.5)) for v in range(VIEWS)]
 
     def compared(self):

@@ -13,7 +13,7 @@ using namespace lippmann;
 
 namespace {
 
-/// Returns the job file as text again. Paths are relative to the folder of the input file. Throws Error.
+/// Parses a job file and writes it as text. Paths are relative to the folder of the input file. Throws Error.
 std::string read(const std::filesystem::path& file) {
   RenderParams params;
   read_job(file, params);

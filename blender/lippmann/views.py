@@ -53,7 +53,7 @@ def place_camera(camera, zone, right):
 
 
 def hides_scene(scene, depsgraph, zone):
-    """Returns whether walls that the scene's camera does not see hide the scene from the display's viewer."""
+    """Returns whether the scene is hidden from the display's viewer by walls that are outside the camera's view."""
     if zone.near <= 0.0:
         return False
     to_world = zone.world_from_frame

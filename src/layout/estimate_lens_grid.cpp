@@ -334,7 +334,7 @@ struct LineFit {
 };
 
 /// Fits a grid by least squares. Each pass fits pitches and offset along the axes of the current rotation, and then corrects
-/// the rotation by the mean skew of rows and columns, weighted by their spread.
+/// the rotation by the mean skew of rows and columns. The more lenses spread along rows or columns, the more their skew counts.
 LensGrid fit_grid(const std::vector<FoundLens>& lenses, LensGrid grid) {
   for (int pass = 0; pass < 6; ++pass) {
     const double c = std::cos(grid.rotation), s = std::sin(grid.rotation);

@@ -22,7 +22,8 @@ void require_lens_pitch(std::optional<double> pitch_px, const char* setting) {
 
 void refuse_without_pitch(const PlenopticSettings& settings) {
   const auto refuse = [](bool is_set, const char* setting) {
-    if (is_set) throw usage_error(setting, "has no effect without `lens-pitch-px`", "`lens-pitch-px` and this setting, or only `white`");
+    if (is_set)
+      throw usage_error(setting, "has no effect without `lens-pitch-px`", "`lens-pitch-px` and this setting, or only `white`");
   };
   refuse(settings.row_pitch_px.has_value(), "lens-row-pitch-px");
   refuse(settings.rotation_deg.has_value(), "lens-rotation");

@@ -1,6 +1,6 @@
 // The meaning of the grey half of an RGB-D picture, and its JSON side file <image>.json. Grey from 0 to 1 lies between
-// the farthest and the nearest depth of a range. It is linear in z or in the disparity q(z) = z / (1 - z / D) for an
-// eye at the distance D: the distance by which a point at z moves on the screen when the slope to the eye changes by 1.
+// the farthest and the nearest depth of a range. It is linear in z or in the disparity q(z) = z / (1 - z / D), where
+// D is the distance of the eye. A point at z moves on the screen by q(z) when the slope to the eye changes by 1.
 // White is near unless `near_black`.
 #pragma once
 

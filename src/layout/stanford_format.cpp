@@ -64,7 +64,8 @@ LightField read_stanford(const fs::path& folder, const FormatOptions& options) {
   return field;
 }
 
-/// Returns the values for parameters.cfg; none if the cameras are unknown or parameters.cfg cannot express their pixels.
+/// Returns the values for parameters.cfg; none if the cameras are unknown or if parameters.cfg cannot
+/// state them, for example because their pixels are not square.
 std::optional<HciParameters> parameters_of(const LightField& field, const fs::path& folder) {
   if (!field.cameras) return std::nullopt;
   try {

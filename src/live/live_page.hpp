@@ -21,7 +21,7 @@ namespace lippmann {
 
 class LiveAnswers : public LivePage {
  public:
-  /// plays: the page starts with the image of the panel.
+  /// If `plays` is true, the page first shows the panel's image instead of an eye view.
   explicit LiveAnswers(std::unique_ptr<LiveScene> scene, bool plays = false) : scene_(std::move(scene)), plays_(plays) {}
 
   nlohmann::ordered_json field() const override;

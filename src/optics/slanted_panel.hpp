@@ -26,7 +26,7 @@ struct SlantedPanelRays {
   float half_cone;
   float width_px, height_px;
   float pixel_mm;
-  float eye_reach_mm;  ///< an eye's x divided by the tangent of its angle
+  float eye_reach_mm;  ///< x of a view's eye is eye_reach_mm times the tangent of the view's angle
   float eye_y_mm;
   float distance_mm, inverse_distance;
   float front_from_eye_mm;  ///< z of the plane z_front relative to the eye: z_front - distance, <= 0

@@ -96,7 +96,8 @@ class Foreground {
     for (const Plane& plane : planes) add_plane(transform_point(plane_from_node, plane.point), of_normals * plane.normal);
   }
 
-  /// Adds an infinite plane that is visible in a corner of the frame, or that separates the near clipping plane from the eye.
+  /// Takes an infinite plane into account if it is visible in a corner of the frame, or if it separates the near clipping plane
+  /// from the eye.
   void add_plane(Vec3f p, Vec3f normal) {
     const float ahead = glm::dot(normal, p - Vec3f(0.0f, 0.0f, eye_));
     for (const float x : {-half_.x, half_.x})

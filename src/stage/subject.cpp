@@ -20,7 +20,7 @@
 namespace lippmann {
 namespace {
 
-constexpr float kThin = 0.1f;  ///< a sheet's largest thickness / longest side
+constexpr float kThin = 0.1f;  ///< maximum thickness of a sheet, as a fraction of its longest side
 /// Largest distance of a sheet from a face of the bounding box, as a fraction of the box's size.
 constexpr float kNearFace = 0.05f;
 constexpr float kSpanning = 0.8f;  ///< fraction of a face that its sheets must span

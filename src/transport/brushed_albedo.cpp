@@ -25,8 +25,8 @@ Vec2f integrate(Vec3f view, Vec2f alpha) {
 
 }  // namespace
 
-/// `values` is indexed by [roughness][anisotropy][cosine][azimuth]. Roughness and cosine are spaced by their square roots,
-/// azimuth by its squared cosine.
+/// `values` is indexed by [roughness][anisotropy][cosine][azimuth]. The samples are evenly spaced in
+/// sqrt(roughness), sqrt(cosine) and cos^2(azimuth).
 struct BrushedAlbedo::Table {
   static constexpr int kRoughnesses = 10, kAnisotropies = 10, kCosines = 16, kAzimuths = 7;
   std::vector<Vec2f> values;

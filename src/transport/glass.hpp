@@ -47,7 +47,8 @@ LIPPMANN_INLINE Vec3f glass_cosine_f(const Glass& glass, float alpha, Vec3f view
 }
 
 /// Returns the direction of light that a facet reflects or refracts to `view`. `decision` in [0, 1) selects reflection with
-/// Fresnel's probability. Sets `outward` to a positive value unless the next facet blocks the direction.
+/// Fresnel's probability. Sets `outward` to a positive value unless the direction points into the
+/// surface.
 LIPPMANN_INLINE Vec3f draw_glass(float eta, Vec3f view, Vec3f facet, float decision, bool& transmitted, float& outward) {
   transmitted = decision >= fresnel_dielectric(glm::dot(view, facet), eta);
   const Vec3f refracted = refracted_away(view, facet, eta), reflected = mirrored(view, facet);

@@ -25,7 +25,7 @@ struct MetalRoughSurface {
 struct MetalRoughBase {
   Vec3f view;
   float alpha;
-  Vec3f diffuse_color;   ///< albedo, times the fraction of light that passes the gloss to the viewer, divided by diffuse_passes
+  Vec3f diffuse_color;   ///< albedo * (transmittance of the gloss to the viewer) / diffuse_passes
   Vec3f diffuse_passes;  ///< fraction of light that passes the gloss, as the cosine-weighted mean over all directions
   /// Reflectance at normal incidence: dielectric_f0 of the dielectric, gloss_f0 of the mix with metal.
   Vec3f dielectric_f0, gloss_f0;

@@ -19,7 +19,7 @@ struct EncoderSettings {
   std::string temporary;
   VideoCodec codec = VideoCodec::kH264;
   const char* muxer = nullptr;
-  const char* encoder = nullptr;  ///< FFmpeg's name of the encoder, which has_encoder() accepts
+  const char* encoder = nullptr;  ///< FFmpeg's name of the encoder
   int width = 0, height = 0;
   int crf = 0;  ///< constant rate factor; lossless codecs ignore it
   int numerator = 25, denominator = 1;

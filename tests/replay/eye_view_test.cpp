@@ -75,8 +75,8 @@ TEST(EyeView, error_grows_with_depth_within_magnified_pixel) {
                  far = psnr_of_plane(optics, eye, -14.0);
     EXPECT_GT(near, mid);
     EXPECT_GT(mid, far);
-    // At z = -2 mm, with 7 pixels per mm and a gap of 2 mm, w = 2 * (1/7) / 2 = 0.14 mm. The error w^2 / 8 = 2.5e-3 is
-    // 52 dB.
+    // At z = -2 mm, with 7 pixels per mm and a gap of 2 mm, the blur has the width w = 2 * (1/7) / 2 = 0.14 mm. Its error of
+    // about w^2 / 8 = 2.5e-3 is a PSNR of 52 dB.
     EXPECT_GT(near, 45.0);
     EXPECT_GT(psnr_of_plane(optics, eye, 6.0), 30.0);
   }

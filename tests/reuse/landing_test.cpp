@@ -1,4 +1,5 @@
-// A moved point must land on the pixel of the same view, or below the same lens (reuse/landing.hpp). The expected pixel
+// When a scene point moves, it must be reprojected to the pixel that shows it in the same view, or below the same lens
+// (reuse/landing.hpp). The expected pixel
 // is computed in double precision or found by search.
 #include <gtest/gtest.h>
 
@@ -228,7 +229,7 @@ void check(const Optics& optics, SplatMode mode, OpticsSampler& random) {
     (place ? what << place->x << " " << place->y : what << "nothing");
     ASSERT_TRUE(place && lenses) << what.str();
     // With kLens, the point must land below the same lens as the original pixel. With kView, it must land below the
-    // lens above the expected position.
+    // lens that covers the expected position.
     const Vec2f floor_centre(std::floor(place->x) + 0.5, std::floor(place->y) + 0.5);
     const glm::dvec2 lens = mode == SplatMode::kLens ? lens_above(optics, from) : lens_above(optics, Vec2f(*place));
     EXPECT_TRUE(glm::distance(lens_above(optics, floor_centre), lens) > 0.25 * lens_pitch(optics) || !on_panel(optics, *place))

@@ -75,7 +75,7 @@ MetallicRoughness of(float metallic, float roughness) {
   return surface;
 }
 
-// Where the smooth normal faces away from the view, a gloss without lifted normals would hide the paint below it. The
+// If the smooth normal faces away from the view, a gloss without lifted normals would hide the paint below it. The
 // darkest of every 500 pixels would then show 0.82 of the sky's light instead of 0.91.
 TEST(LiftedNormal, glossy_coarse_balls_have_no_dark_rim) {
   for (const bool layered : {false, true}) {

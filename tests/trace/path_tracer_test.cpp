@@ -148,7 +148,7 @@ TEST(PathTracer, panorama_spots_act_as_distant_lamps) {
   const Mat3f towards_x(Vec3f(0, 0, -1), Vec3f(0, 1, 0), Vec3f(1, 0, 0));
   s.add(square(2, 0), s.material(matte(Vec3f(1.0f))), s.node({towards_x, Vec3f(0.0f)}));
   // Irradiance / pi of the texel: radiance x solid angle x cosine / pi. Bilinear interpolation spreads the texel over 2 x 2
-  // texels with a mean weight of 1/4.
+  // texels with a mean weight of 1/4, which keeps its light.
   const double step = M_PI / 32, polar = (row + 0.5) * step, azimuth = 0.5 * step;
   const double cosine = std::sin(polar) * std::cos(azimuth), expected = 1000.0 * step * step * std::sin(polar) * cosine / M_PI;
   const Picture p = trace_paths(s.scene, single_view(5), 4096, {}, 1, {0.1f * towards_x, Vec3f(0.0f)});
@@ -292,8 +292,7 @@ TEST(PathTracer, clamping_dims_only_indirect_light) {
   s.add(room(20.0f), s.material(wall));
   TraceParams params;
   params.clamp_indirect = 0.05f;
-  // The emission 1 and the direct light 0.5 are not clamped. The two bounces after them have 0.25 and 0.125, and each
-  // of their contributions is limited to 0.05.
+  // The emission 1 and the direct light 0.5 are not clamped. All light after them is limited to 0.05 per contribution.
   const double clamped = mean(trace_paths(s.scene, single_view(5), 256, params).film);
   EXPECT_GT(clamped, 1.495);
   EXPECT_LT(clamped, 1.5 + 4 * 0.05 + 0.005);

@@ -18,8 +18,8 @@ precision highp sampler2D;
 precision highp usampler2D;
 ${kQuiltPlaces}
 uniform QUILT u_views;            // codes: the quilt, or the panel's own picture
-// Terms of the phase as 64-bit fractions. Each row, counted from the bottom, has six terms: red, green and blue of even
-// pixels, then of odd pixels.
+// The phase of a sub-pixel is the sum of a term of its row and a term of its column, as 64-bit fractions. Each row, counted from the
+// bottom, has six terms: red, green and blue of even pixels, then of odd pixels.
 uniform usampler2D u_rows;
 uniform usampler2D u_columns;
 uniform ivec2 u_view_size, u_tiles, u_panel_size;

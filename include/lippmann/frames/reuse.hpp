@@ -30,7 +30,7 @@ struct Interpolate {
   std::optional<double> min_psnr_db{};
   SplatMode splat = SplatMode::kView;
   MissedFill fill = MissedFill::kInterpolate;
-  /// Makes frames from interpolated frames, and not only from key frames.
+  /// Also interpolates between interpolated frames, not only between key frames.
   bool halving = false;
   /// Lets points overwrite each other in pixel order. This gives wrong images and is for experiments only.
   bool no_z_buffer = false;

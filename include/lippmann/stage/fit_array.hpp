@@ -53,8 +53,9 @@ struct FittedArray {
   /// Nearest and farthest z that the display should show sharply. z is positive in front of the plane. Both are 0 without
   /// finite shapes. The range leaves out everything behind the viewer. It contains:
   /// - all finite shapes at frame 0, if the author placed the array,
-  /// - the subject over the whole animation, and walls within one diagonal of it, if the view is fitted to the subject,
-  /// - the visible subject at frame 0, and walls within one diagonal of it, otherwise.
+  /// - the subject over the whole animation, and walls at most the subject's diagonal away, if the view is fitted to the
+  /// subject,
+  /// - the visible subject at frame 0, and walls at most its diagonal away, otherwise.
   float depth_front = 0.0f, depth_back = 0.0f;
   /// Whether the position of the plane ignores ground, walls and sky.
   bool leaves_out_surroundings = false;
