@@ -1,8 +1,10 @@
 // LLFF's folders: images/000.png, ... and poses_bounds.npy (layout/llff_poses.hpp), which has one row per picture, in the order
-// of the pictures' names. Depth bounds come from the depth of the views if it is known, otherwise from the file that was read.
+// of the pictures' names. Depth bounds come from the depth of the views if it is known, otherwise from the file that was read:
+// its depth bounds, or its points in each picture.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "core/atomic_file.hpp"
 #include "core/folder.hpp"
@@ -36,14 +38,41 @@ LightField read_llff(const fs::path& folder, const FormatOptions& options) {
   return read_posed_pictures(images, {file, std::move(pictures)}, options);
 }
 
-std::vector<Vec2d> bounds_of_views(const LightField& field) {
-  if (field.depth_bounds_mm && !field.depth) return *field.depth_bounds_mm;
-  return std::vector<Vec2d>(static_cast<std::size_t>(field.grid.count()), depth_bounds_mm(field));
+/// Returns the least and greatest depth of the points that are in the camera's picture; none if no point is.
+std::optional<Vec2d> bounds_of_points(const std::vector<CloudPoint>& points, const PosedCamera& camera) {
+  std::optional<Vec2d> bounds;
+  for (const CloudPoint& point : points) {
+    const double depth = -(glm::transpose(camera.rotation) * (point.position_mm - camera.position_mm)).z;
+    if (!(depth > 0.0)) continue;
+    const Vec2d pixel = projected(camera, point.position_mm);
+    if (!(pixel.x >= 0.0 && pixel.y >= 0.0 && pixel.x < camera.size.x && pixel.y < camera.size.y)) continue;
+    bounds = bounds ? Vec2d(std::min(bounds->x, depth), std::max(bounds->y, depth)) : Vec2d(depth);
+  }
+  return bounds;
 }
 
-std::vector<fs::path> write_llff(const LightField& field, const fs::path& folder, const FormatOptions&) {
+std::vector<Vec2d> bounds_of_views(const LightField& field, const std::vector<PosedCamera>& cameras, const fs::path& folder,
+                                   const FormatOptions& options) {
+  const Vec2d of_depth = depth_bounds_mm(field);
+  if (field.depth) return std::vector<Vec2d>(cameras.size(), of_depth);
+  if (field.depth_bounds_mm) return *field.depth_bounds_mm;
+  std::vector<Vec2d> bounds;
+  bool is_known = true;
+  for (const PosedCamera& camera : cameras) {
+    const std::optional<Vec2d> seen = bounds_of_points(field.points, camera);
+    is_known = is_known && seen;
+    bounds.push_back(seen.value_or(of_depth));
+  }
+  if (!is_known && options.warn)
+    options.warn(fmt::format("{}: depth is unknown for some views; assumed: from {:g} m to {:g} m",
+                             (folder / "poses_bounds.npy").string(), of_depth.x / 1000.0, of_depth.y / 1000.0));
+  return bounds;
+}
+
+std::vector<fs::path> write_llff(const LightField& field, const fs::path& folder, const FormatOptions& options) {
+  const std::vector<PosedCamera> cameras = posed_cameras(field, folder.string());
   const std::vector<std::byte> poses =
-      encode_llff_poses(posed_cameras(field, folder.string()), bounds_of_views(field), folder.string());
+      encode_llff_poses(cameras, bounds_of_views(field, cameras, folder, options), folder.string());
   std::vector<fs::path> written = write_posed_pictures(field, folder);
   if (field.splits) write_held_out_names(written.emplace_back(folder / "test.txt"), listed_pictures(field, folder));
   write_file_atomically(written.emplace_back(folder / "poses_bounds.npy"), poses);

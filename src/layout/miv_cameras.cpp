@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <span>
 
 #include "core/json_fields.hpp"
@@ -70,10 +71,14 @@ std::vector<MivCamera> parse_miv_cameras(const std::string& text, const std::str
   if (json["cameras"].empty() || json["cameras"].size() > kMaxCameras)
     throw Error(where, fmt::format("has {} cameras", json["cameras"].size()), fmt::format("1 to {}", kMaxCameras));
   std::vector<MivCamera> cameras;
+  std::set<std::string> names;
   for (std::size_t i = 0; i < json["cameras"].size(); ++i) {
     const JsonFields fields(json["cameras"][i], where, fmt::format("cameras[{}]", i));
     if (fields.value("Name") == "viewport") continue;  // TMIV adds an entry "viewport" for the view that it synthesizes
-    cameras.push_back(camera_from(fields));
+    const MivCamera& camera = cameras.emplace_back(camera_from(fields));
+    if (!names.insert(camera.name).second)
+      throw Error(fmt::format("{}: cameras[{}].Name", where, i), fmt::format("repeats {}", shown(camera.name)),
+                  "a name of its own");
   }
   return cameras;
 }

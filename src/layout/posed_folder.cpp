@@ -213,7 +213,12 @@ LightField read_posed_pictures(const fs::path& folder, PosedSet set, const Forma
   std::vector<PosedPicture>& pictures = set.pictures;
   if (pictures.empty()) throw Error(set.file.string(), "lists no pictures", "at least one");
   const Vec2i size = size_of(read_picture(listed_picture(folder, pictures.front())));
-  for (PosedPicture& picture : pictures) complete(picture, size);
+  std::set<std::string> names;
+  for (PosedPicture& picture : pictures) {
+    complete(picture, size);
+    if (!names.insert(picture.picture).second)
+      throw Error(picture.entry, fmt::format("repeats the picture {}", shown(picture.picture)), "each picture once");
+  }
   std::optional<ViewCameras> cameras = shared_plane(cameras_of(pictures));
   if (cameras) move_to_display(pictures.front().camera, *cameras, set.points);
   const ViewGrid grid = posed_grid(pictures, cameras, options, set.file);

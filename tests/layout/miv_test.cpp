@@ -174,6 +174,7 @@ TEST(MivCameras, files_that_make_no_cameras_are_refused) {
   EXPECT_THAT(error_message([] { parse_miv_cameras(R"({"cameras": []})", "c"); }), HasSubstr("0 cameras"));
   EXPECT_THAT(error_message([] { parse_miv_cameras(R"({"cameras": [1]})", "c"); }), HasSubstr("is not an object"));
   EXPECT_THAT(refusal("\"Name\": \"a\"", "\"Name\": \"../a\""), HasSubstr("Name"));
+  EXPECT_THAT(refusal("\"Name\": \"b\"", "\"Name\": \"a\""), HasSubstr("c.json: cameras[1].Name: repeats 'a'"));
   EXPECT_THAT(refusal("Perspective", "Equirectangular"), HasSubstr("Projection"));
   EXPECT_THAT(refusal("\"Focal\"", "\"Fokal\""), HasSubstr("c.json: cameras[0].Focal: is missing"));
   EXPECT_THAT(refusal("\"Position\": [", "\"Position\": [1e300, "), HasSubstr("Position"));

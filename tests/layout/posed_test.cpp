@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
@@ -177,6 +178,18 @@ TEST(NerfFormat, blenders_files_without_endings_are_read) {
   EXPECT_EQ(field.poses->front().principal_px, Vec2d(20.0, 15.0));
   EXPECT_EQ(field.poses->front().position_mm, Vec3d(0.0, 0.0, 3000.0));
   EXPECT_TRUE(same_samples(field.stack, view_of(turned_views(2), 1)));
+}
+
+TEST(NerfFormat, repeated_pictures_are_refused) {
+  const TempDir dir;
+  nerf_format().write(turned_views(2), dir / "m", {});
+  std::ifstream file(dir / "m/transforms.json");
+  std::string text((std::istreambuf_iterator<char>(file)), {});
+  const std::string second = "images/001.png";
+  for (std::size_t at = 0; (at = text.find(second)) != std::string::npos;) text.replace(at, second.size(), "images/000.png");
+  std::ofstream(dir / "m/transforms.json") << text;
+  EXPECT_THAT(error_message([&] { nerf_format().read(dir / "m", {}); }),
+              AllOf(HasSubstr("frames[1]"), HasSubstr("repeats the picture 'images/000.png'")));
 }
 
 TEST(NerfFormat, wrong_cameras_are_refused_with_their_frame) {
@@ -482,6 +495,30 @@ TEST(LlffFormat, rows_have_axes_down_right_back) {
   const NpyArray rows = parse_npy(encode_llff_poses({camera}, {{1500.0, 2500.0}}, "a"), "a");
   EXPECT_EQ(rows.shape, (std::vector<std::size_t>{1, 17}));
   EXPECT_EQ(rows.values, (std::vector<double>{0, 1, 0, 0, 30, -1, 0, 0, 0, 40, 0, 0, 1, 2, 50, 1.5, 2.5}));
+}
+
+TEST(LlffFormat, points_give_the_depth_bounds) {
+  const TempDir dir;
+  LightField field = turned_views(2);
+  field.depth.reset();
+  const Vec3d eye = field.poses->at(0).position_mm;  // 2 m from the origin
+  field.points = {{Vec3d(0.0), {}}, {0.75 * eye, {}}, {1.5 * eye, {}}};
+  llff_format().write(field, dir / "m", {});
+  const Vec2d bounds = llff_format().read(dir / "m", {}).depth_bounds_mm->at(0);
+  EXPECT_NEAR(bounds.x, 500.0, 1e-6);
+  EXPECT_NEAR(bounds.y, 2000.0, 1e-6) << "the third point is behind the camera";
+}
+
+TEST(LlffFormat, unknown_depth_gives_a_warning) {
+  const TempDir dir;
+  LightField field = turned_views(2);
+  field.depth.reset();
+  std::vector<std::string> warnings;
+  FormatOptions options;
+  options.warn = [&](std::string_view text) { warnings.emplace_back(text); };
+  llff_format().write(field, dir / "m", options);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_THAT(warnings[0], HasSubstr("poses_bounds.npy: depth is unknown for some views; assumed: from 0.1 m to 100 m"));
 }
 
 TEST(LlffFormat, depth_bounds_of_the_file_are_kept) {
