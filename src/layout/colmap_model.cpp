@@ -263,7 +263,7 @@ std::vector<PosedPicture> parse_colmap_images(std::span<const std::byte> binary,
   for (std::uint64_t i = 0; i < count; ++i) {
     PosedPicture picture;
     const std::string entry = fmt::format("image {}", i + 1);
-    picture.entry = where + ": " + entry;
+    picture.entry = fmt::format("{}: {}", where, entry);
     source.enter(entry);
     source.whole32("image number", kAnyId);
     read_pose(source, picture.camera);
