@@ -142,7 +142,7 @@ std::vector<PosedPicture> parse_transforms(const std::string& text, const std::s
   std::vector<PosedPicture> pictures;
   for (std::size_t i = 0; i < frames.size(); ++i) {
     const std::string entry = fmt::format("frames[{}]", i);
-    common.entry = where + ": " + entry;
+    common.entry = fmt::format("{}: {}", where, entry);
     pictures.push_back(frame_from(JsonFields(frames[i], where, entry), common));
   }
   read_lists(fields, pictures);
