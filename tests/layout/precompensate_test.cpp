@@ -50,8 +50,8 @@ TEST(Precompensate, clips_negative_light_and_adjusts_neighbours) {
   EXPECT_NEAR(done.largest_residual, 0.1125, 2e-4);
 }
 
-// Black next to white needs light below 0 and above 1, so no correction is possible. An eye sees 0.8 / 0.9 instead of
-// white, and 0.2 instead of black.
+// Black next to white needs light below 0 and above 1, so no correction is possible. The eye of the middle view sees 0.2
+// instead of black, those of the outer views see 0.8 / 0.9 = 0.89 instead of white.
 TEST(Precompensate, full_contrast_misses_by_the_neighbour_share) {
   Image image = views(1.0f, 0.0f, 7.0f);  // values above 1 are shown as white
   const Precompensation done = precompensate(three_views(), kTenPercent, "test", image);
