@@ -166,7 +166,7 @@ RenderReport render_animation(RenderSetup& setup, const Context& context, const 
   if (setup.parts.frames.empty())
     context.warning(
         fmt::format("unit {} has no frames: the job has fewer frames and strips than units", write_units(*setup.run.units)));
-  if (!is_first) ranks->begin();
+  if (!is_first) ranks->begin();  // waits until the first rank has prepared the folder
   RenderFolder folder = open_folder(setup, context);
   const KeptLease lease(folder);
   RunProgress progress(observer, ranks);

@@ -1,6 +1,6 @@
 // LLFF's folders: images/000.png, ... and poses_bounds.npy (layout/llff_poses.hpp), which has one row per picture, in the order
-// of the pictures' names. Depth bounds come from the depth of the views if it is known, otherwise from the file that was read:
-// its depth bounds, or its points in each picture.
+// of the pictures' names. Depth bounds come from the depth of the views if it is known. Otherwise, they are the
+// bounds that the input states, or the least and greatest depth of its points in each picture.
 #include <fmt/format.h>
 
 #include <algorithm>
