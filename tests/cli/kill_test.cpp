@@ -38,7 +38,7 @@ const std::vector<Mode>& modes() {
 }
 
 Words command(const Mode& mode, const std::string& folder) {
-  Words words{"render", "teapot", "--size", "64x64", "--frames", "0-19", "-o", folder, "--quiet"};
+  Words words{"render", "primitives", "--size", "64x64", "--frames", "0-19", "-o", folder, "--quiet"};
   for (const std::string& word : mode.flags) words.push_back(word == "VIDEO" ? folder + "/video.mkv" : word);
   return words;
 }

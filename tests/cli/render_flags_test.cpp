@@ -185,14 +185,14 @@ TEST_F(RenderFlags, each_changes_the_pictures_or_is_refused) {
   for (const auto& [flag, value] : values()) known.insert(flag);
   for (const auto& [flag, why] : others()) known.insert(flag);
   EXPECT_EQ(known, flags_of_help(dir_)) << "a flag that this test does not try";
-  // --camera has no effect because the teapot has one camera, and --reuse because there is only one frame.
-  walk({"teapot", "--frames", "0", "--lenses", "5x5", "--lens-pixels", "4"}, {"--camera", "--reuse"});
-  walk({"teapot", "--frames", "0", "--optics", "multiview", "--views", "3x2", "--size", "24x16", "--integrator", "path",
+  // --camera has no effect because the scene has one camera, and --reuse because there is only one frame.
+  walk({"primitives", "--frames", "0", "--lenses", "5x5", "--lens-pixels", "4"}, {"--camera", "--reuse"});
+  walk({"primitives", "--frames", "0", "--optics", "multiview", "--views", "3x2", "--size", "24x16", "--integrator", "path",
         "--spp", "2", "--denoise", "none"},
        {"--camera"});
-  walk({"teapot", "--frames", "0", "--optics", "plenoptic", "--lenses", "6x5", "--lens-pixels", "5", "--f-number", "4"},
+  walk({"primitives", "--frames", "0", "--optics", "plenoptic", "--lenses", "6x5", "--lens-pixels", "5", "--f-number", "4"},
        {"--camera", "--reuse"});
-  walk({"teapot", "--frames", "0", "--layout", "stereo", "--viewing-distance", "600", "--size", "32x18"}, {"--reuse"});
+  walk({"primitives", "--frames", "0", "--layout", "stereo", "--viewing-distance", "600", "--size", "32x18"}, {"--reuse"});
 }
 
 }  // namespace

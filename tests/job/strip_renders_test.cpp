@@ -26,7 +26,7 @@ class StripRenders : public Renders {
  protected:
   /// Frames have 184 rows: 11 bands of 16 rows and one of 8.
   RenderParams still(const std::string& folder, const Settings& settings = {}) const {
-    return job("teapot", folder, Settings{{"size", "64x184"}, {"lenses", "8x23"}, {"frames", "3"}} + settings);
+    return job("primitives", folder, Settings{{"size", "64x184"}, {"lenses", "8x23"}, {"frames", "3"}} + settings);
   }
 
   void render_unit(RenderParams params, int unit, int count) const {
@@ -65,7 +65,7 @@ TEST_F(StripRenders, strips_have_the_bytes_of_whole_frames) {
     const bool has_lenses = settings.size() == kinds()[kind].size();
     const auto params = [&](const std::string& folder, const std::string& strips) {
       const Settings size = has_lenses ? Settings{{"size", "64x184"}, {"lenses", "8x23"}} : Settings{{"size", "64x160"}};
-      return job("teapot", folder, size + settings + Settings{{"frames", "3"}, {"strips", strips}});
+      return job("primitives", folder, size + settings + Settings{{"frames", "3"}, {"strips", strips}});
     };
     const std::string name = std::to_string(kind);
     render(params(name + "-whole", "1"));
@@ -216,7 +216,7 @@ TEST_F(StripRenders, impossible_strips_are_refused) {
   EXPECT_THAT(refused({{"strips", "2"}, {"reuse", "interpolate"}}),
               HasSubstr("strips: strips are rendered separately, and interpolated"));
   const Settings rows_of_views{{"optics", "multiview"}, {"views", "2x4"}, {"size", "64x160"}};
-  EXPECT_THAT(refusal(job("teapot", "a", rows_of_views + Settings{{"strips", "2"}, {"integrator", "path"}})),
+  EXPECT_THAT(refusal(job("primitives", "a", rows_of_views + Settings{{"strips", "2"}, {"integrator", "path"}})),
               HasSubstr("strips: the denoiser averages views of all rows"));
   EXPECT_FALSE(exists("a"));
 }
@@ -261,7 +261,7 @@ TEST_F(StripRenders, too_little_memory_for_bands_is_refused) {
   };
   EXPECT_THAT(refusal({}, 10.0), HasSubstr("even in bands of rows"));
   const Settings rows_of_views{{"optics", "multiview"}, {"views", "2x4"}, {"size", "64x160"}, {"integrator", "path"}};
-  EXPECT_THAT(error_message([&] { render(job("teapot", "none", rows_of_views), {.available_memory = 50.0 * 64 * 160}); }),
+  EXPECT_THAT(error_message([&] { render(job("primitives", "none", rows_of_views), {.available_memory = 50.0 * 64 * 160}); }),
               HasSubstr("are not possible: the denoiser (`denoise`) averages views of all rows"));
   EXPECT_THAT(refusal({{"reuse", "interpolate"}}, 30.0), HasSubstr("interpolated frames (`reuse`) are made from whole ones"));
   EXPECT_THAT(refusal({{"strips", "4"}}, 5.0), HasSubstr("4 of 64x184 pixels need about"));

@@ -43,7 +43,7 @@ TEST_F(UnitRenders, units_have_the_bytes_of_one_run) {
   for (std::size_t kind = 0; kind < kinds().size(); ++kind) {
     const auto film = [&](const std::string& folder) {
       const Settings small{{"size", "64x16"}, {"lenses", "8x2"}, {"frames", "8-31"}, {"video", dir_ / (folder + ".mp4")}};
-      return job("teapot", folder, small + kinds()[kind]);
+      return job("primitives", folder, small + kinds()[kind]);
     };
     const std::string name = std::to_string(kind), whole = name + "-whole";
     render(film(whole));
@@ -92,7 +92,7 @@ TEST_F(UnitRenders, provenance_equals_that_of_one_run) {
     SCOPED_TRACE(way);
     const auto film = [&](const std::string& folder) {
       const Settings small{{"size", "64x16"}, {"lenses", "8x2"}, {"frames", "8-19"}, {"aov", "provenance"}};
-      return job("teapot", folder + std::to_string(way), small + ways[way]);
+      return job("primitives", folder + std::to_string(way), small + ways[way]);
     };
     render(film("whole"));
     const Files whole = pictures_below(dir_ / ("whole" + std::to_string(way)));
