@@ -88,8 +88,10 @@ TEST(Formats, every_one_brings_back_what_was_written) {
 
 TEST(Formats, every_pair_is_exact_there_and_back) {
   const LightField field = numbered_views();
-  for (const LightFieldFormat& one : exact_formats())
-    for (const LightFieldFormat& other : exact_formats()) {
+  const std::vector<LightFieldFormat> formats = exact_formats();
+  for (std::size_t i = 0; i < formats.size(); ++i)
+    for (std::size_t k = i; k < formats.size(); ++k) {
+      const LightFieldFormat &one = formats[i], &other = formats[k];
       if (!can_follow(one, other) || !can_follow(other, one)) continue;
       const TempDir dir;
       const auto path_of = [&](const LightFieldFormat& f, const char* stem) {
