@@ -3,6 +3,8 @@
 #include <fmt/core.h>
 
 #include <cstdio>
+#include <exception>
+#include <thread>
 #include <utility>
 
 #include "apps/lippmann/command_line.hpp"
@@ -13,8 +15,29 @@
 namespace lippmann::app {
 namespace {
 
+/// Makes the first preview while the user opens the page.
+class EarlyPreview {
+ public:
+  explicit EarlyPreview(PageAnswers& answers) : thread_([&answers] { make(answers); }) {}
+  ~EarlyPreview() { thread_.join(); }
+  EarlyPreview(const EarlyPreview&) = delete;
+  EarlyPreview& operator=(const EarlyPreview&) = delete;
+
+ private:
+  static void make(PageAnswers& answers) {
+    try {
+      answers.make_first_preview();
+    } catch (const std::exception&) {
+      // The answer to the page's request states the error.
+    }
+  }
+
+  std::thread thread_;
+};
+
 int serve(HttpServer& server, PageAnswers& answers, const std::string& token, const PageServerFlags& flags,
           const Context& context) {
+  const EarlyPreview preview(answers);
   const std::string address = page_address(flags.host, server.port(), token);
   fmt::print("{}\n", address);
   std::fflush(stdout);

@@ -18,6 +18,7 @@
 #include "lippmann/optics/crosstalk.hpp"
 #include "view/dropped_pictures.hpp"
 #include "view/field_json.hpp"
+#include "view/gzip.hpp"
 #include "view/page_files.hpp"
 #include "view/page_print.hpp"
 #include "view/preview.hpp"
@@ -34,6 +35,13 @@ constexpr std::string_view kCalibration = "calibration", kLive = "live", kRun = 
 
 PageAnswer answer_with(int status, std::string text, std::string type = "text/plain; charset=utf-8") {
   return {status, std::move(type), std::make_shared<const std::string>(std::move(text))};
+}
+
+PageAnswer file_answer(const PageFile& file, bool compresses) {
+  if (!compresses) return answer_with(200, std::string(file.text), std::string(file.type));
+  PageAnswer answer = answer_with(200, gzip(file.text), std::string(file.type));
+  answer.coding = "gzip";
+  return answer;
 }
 
 PageAnswer unknown_path() { return answer_with(404, "There is nothing with this name.\n"); }
@@ -147,7 +155,7 @@ PageAnswer PageAnswers::answer(const PageRequest& request) {
   std::string_view path = std::string_view(request.path).substr(1);
   if (!access_.token.empty()) cut_part(path);
   if (dropped_) return answer_drop(request, path);
-  return request.method == "POST" ? answer_text(request, path) : answer_path(path);
+  return request.method == "POST" ? answer_text(request, path) : answer_path(request, path);
 }
 
 /// Answers POSTs of dropped images, and GET fields.json. The PageAnswers object of the shown images answers all other
@@ -163,7 +171,7 @@ PageAnswer PageAnswers::answer_drop(const PageRequest& request, std::string_view
   std::string_view rest = path;
   if (!is_text || cut_part(rest) != kDrop) {
     PageAnswers& answers = shown ? *shown : *this;
-    return is_text ? answers.answer_text(request, path) : answers.answer_path(path);
+    return is_text ? answers.answer_text(request, path) : answers.answer_path(request, path);
   }
   try {
     dropped_->post(rest, request.body);
@@ -180,12 +188,11 @@ PageAnswer PageAnswers::answer_text(const PageRequest& request, std::string_view
   return live_ ? live_->post(path, request.body) : run_order(path);
 }
 
-PageAnswer PageAnswers::answer_path(std::string_view path) {
+PageAnswer PageAnswers::answer_path(const PageRequest& request, std::string_view path) {
   if (path == "fields.json") return answer_with(200, description(), "application/json");
   if (path == "page.html") return whole_page();
   for (const PageFile& file : page_files())
-    if (file.name == (path.empty() ? "index.html" : path))
-      return answer_with(200, std::string(file.text), std::string(file.type));
+    if (file.name == (path.empty() ? "index.html" : path)) return file_answer(file, request.accepts_gzip);
   std::string_view rest = path;
   const std::string_view part = cut_part(rest);
   if (live_ && part == kLive) return live_->get(rest);
@@ -272,6 +279,10 @@ PageAnswer PageAnswers::run_order(std::string_view order) {
   } catch (const Error& error) {
     return failed(error.what());
   }
+}
+
+void PageAnswers::make_first_preview() {
+  if (!fields_.empty() && !render_ && !display_ && preview_view_size(fields_.front()->facts())) picture("0/preview/0");
 }
 
 /// path: FIELD/KIND/FRAME as for page_picture(), or FIELD/views/FRAME/SIGMA for the views blurred by SIGMA hundredths of a

@@ -24,6 +24,7 @@ struct PageRequest {
   std::string path = "/";  ///< decoded, without the query
   /// Headers Host, Origin and Sec-Fetch-Site; empty if missing.
   std::string host = {}, origin = {}, fetch_site = {};
+  bool accepts_gzip = false;
   std::string body = {};
 };
 
@@ -31,6 +32,7 @@ struct PageAnswer {
   int status = 200;
   std::string type = "text/plain; charset=utf-8";
   Bytes body = {};
+  std::string coding = {};  ///< header Content-Encoding; empty: none
 };
 
 struct PageAccess {
@@ -86,9 +88,12 @@ class PageAnswers {
   /// POST. Returns nullopt for other requests.
   std::optional<PageAnswer> refusal(const PageRequest& request) const;
 
+  /// Makes the preview that a page requests first, so that the page need not wait for it. Does nothing if there is none.
+  void make_first_preview();
+
  private:
   bool takes_text(std::string_view path) const;
-  PageAnswer answer_path(std::string_view path);
+  PageAnswer answer_path(const PageRequest& request, std::string_view path);
   PageAnswer answer_text(const PageRequest& request, std::string_view path);
   PageAnswer answer_drop(const PageRequest& request, std::string_view path);
   std::string description() const;

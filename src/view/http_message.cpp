@@ -160,6 +160,17 @@ bool read_body_length(const Headers& headers, RequestHead& head) {
   return true;
 }
 
+/// A coding with a weight (RFC 9110, 12.5.3) is left out: browsers send none, and the weight may be 0.
+bool lists_gzip(std::string_view codings) {
+  for (bool is_over = false; !is_over;) {
+    const std::size_t comma = codings.find(',');
+    if (lower(trimmed(codings.substr(0, comma))) == "gzip") return true;
+    is_over = comma == std::string_view::npos;
+    if (!is_over) codings.remove_prefix(comma + 1);
+  }
+  return false;
+}
+
 }  // namespace
 
 PageAnswer refusal_of(int status) {
@@ -177,6 +188,7 @@ std::variant<RequestHead, PageAnswer> read_head(std::string_view text) {
   head.page.host = headers.value("host");
   head.page.origin = headers.value("origin");
   head.page.fetch_site = headers.value("sec-fetch-site");
+  head.page.accepts_gzip = lists_gzip(headers.value("accept-encoding"));
   head.awaits_continue = lower(headers.value("expect")) == "100-continue";
   const std::string connection = lower(headers.value("connection"));
   if (connection.find("keep-alive") != std::string::npos) head.keeps_alive = true;
@@ -188,6 +200,7 @@ std::string head_of(const PageAnswer& answer, bool keeps_alive) {
   std::string head = fmt::format("HTTP/1.1 {} {}\r\n{}Connection: {}\r\n", answer.status, reason_of(answer.status).phrase,
                                  kSafeHeaders, keeps_alive ? "keep-alive" : "close");
   if (answer.body) head += fmt::format("Content-Type: {}\r\n", answer.type);
+  if (!answer.coding.empty()) head += fmt::format("Content-Encoding: {}\r\n", answer.coding);
   if (answer.status != 204) head += fmt::format("Content-Length: {}\r\n", answer.body ? answer.body->size() : 0);
   return head + "\r\n";
 }

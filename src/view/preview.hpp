@@ -1,4 +1,4 @@
-// Makes a small quilt of about 10 kB, which a page shows while it loads the full one.
+// Makes a small quilt of 10 to 60 kB, which a page shows while it loads the full one.
 #pragma once
 
 #include <optional>

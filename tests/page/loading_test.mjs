@@ -37,6 +37,9 @@ test("a preview precedes the full picture", async () => {
   // The browser may have dropped the body of the first response, so the preview is requested again.
   const bytes = (await (await page.request.get((await preview).url())).body()).length;
   assert.ok(bytes > 1000 && bytes < 64e3, `${bytes} bytes`);
+  const all = await page.evaluate(() => ["navigation", "resource"].flatMap((type) => performance.getEntriesByType(type)).reduce((sum, one) => sum + one.encodedBodySize, 0));
+  console.log(`first picture: ${all} bytes, ${bytes} of them for the preview`);
+  assert.ok(all > bytes && all <= 100e3, `${all} bytes`);
   release();
   await drawn(page);
   assert.equal(await page.getAttribute("#stage", "data-preview"), "false");

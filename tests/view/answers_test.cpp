@@ -1,11 +1,13 @@
 #include "view/answers.hpp"
 
 #include <gmock/gmock.h>
+#include <zlib.h>
 
 #include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "image/decode.hpp"
+#include "image/png.hpp"
 #include "support/temp_dir.hpp"
 #include "view/light_fields.hpp"
 #include "view/page_files.hpp"
@@ -42,6 +44,47 @@ TEST_F(Answers, page_and_description_are_there) {
   const PageAnswer fields = get("/fields.json");
   EXPECT_EQ(fields.status, 200);
   EXPECT_EQ(nlohmann::json::parse(*fields.body)["fields"][0]["frames"].size(), 3u);
+}
+
+std::string unzipped(const std::string& packed, std::size_t bytes) {
+  constexpr int kGzipBits = 15 + 16;
+  std::string text(bytes, '\0');
+  std::string in = packed;
+  z_stream stream{};
+  EXPECT_EQ(inflateInit2(&stream, kGzipBits), Z_OK);
+  stream.next_in = reinterpret_cast<Bytef*>(in.data()), stream.avail_in = static_cast<uInt>(in.size());
+  stream.next_out = reinterpret_cast<Bytef*>(text.data()), stream.avail_out = static_cast<uInt>(text.size());
+  EXPECT_EQ(inflate(&stream, Z_FINISH), Z_STREAM_END);
+  inflateEnd(&stream);
+  return text;
+}
+
+TEST_F(Answers, page_is_compressed_if_accepted) {
+  for (const PageFile& file : page_files()) {
+    PageRequest request = request_of("/" + std::string(file.name));
+    EXPECT_EQ(answers_.answer(request).coding, "") << file.name;
+    request.accepts_gzip = true;
+    const PageAnswer packed = answers_.answer(request);
+    EXPECT_EQ(packed.coding, "gzip");
+    EXPECT_LT(packed.body->size(), file.text.size() / 2);
+    EXPECT_EQ(unzipped(*packed.body, file.text.size()), file.text);
+  }
+}
+
+TEST(FirstPreview, is_ready_before_the_request) {
+  const TempDir dir;
+  const fs::path file = dir.path() / "big_qs2x1a1.png";
+  write_png(file, Image8{2048, 1024, std::vector<unsigned char>(std::size_t{3} * 2048 * 1024, 80)});
+  PageAnswers early(test::fields_of(file), kLoopback), late(test::fields_of(file), kLoopback);
+  early.make_first_preview();
+  fs::remove(file);
+  EXPECT_EQ(early.answer(request_of("/0/preview/0")).status, 200);
+  EXPECT_EQ(late.answer(request_of("/0/preview/0")).status, 422);
+}
+
+TEST_F(Answers, small_fields_have_no_first_preview) {
+  answers_.make_first_preview();
+  EXPECT_EQ(get("/0/preview/0").status, 404);
 }
 
 TEST_F(Answers, picture_decodes_to_the_rendered_codes) {

@@ -122,5 +122,16 @@ TEST(HttpMessage, malformed_heads_are_refused) {
   EXPECT_EQ(status("GET / HTTP/2.0"), 505);
 }
 
+TEST(HttpMessage, gzip_is_accepted_by_name) {
+  const auto accepts = [](std::string_view codings) {
+    return std::get<RequestHead>(read_head("GET / HTTP/1.1\r\nAccept-Encoding: " + std::string(codings))).page.accepts_gzip;
+  };
+  EXPECT_TRUE(accepts("gzip, deflate, br"));
+  EXPECT_TRUE(accepts("br ,GZIP"));
+  for (const char* codings : {"", "identity", "gzip;q=0", "br, gzippy", ",,"}) EXPECT_FALSE(accepts(codings)) << codings;
+  EXPECT_THAT(head_of({200, "text/html", nullptr, "gzip"}, true), HasSubstr("\r\nContent-Encoding: gzip\r\n"));
+  EXPECT_THAT(head_of({200, "text/html"}, true), testing::Not(HasSubstr("Content-Encoding")));
+}
+
 }  // namespace
 }  // namespace lippmann
