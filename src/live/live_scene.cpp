@@ -19,6 +19,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// interval between looks at the scene's file
+constexpr std::chrono::milliseconds kFileTick{500};
+
 Bytes encoded(const Image8& picture) { return std::make_shared<const std::string>(encoded_picture(picture, 0).bytes); }
 
 /// Describes the distance of the display plane from the viewer, and the limits of this distance, in world units.
@@ -71,7 +74,9 @@ void LiveScene::work() {
 
 std::optional<LiveScene::Order> LiveScene::next_order() {
   std::unique_lock lock(mutex_);
-  changed_.wait(lock, [this] { return ending_ || done_version_ != version_ || (!is_whole_ && !render_.is_running()); });
+  const auto has_work = [this] { return ending_ || done_version_ != version_ || (!is_whole_ && !render_.is_running()); };
+  while (!changed_.wait_for(lock, kFileTick, has_work))
+    if (live_.has_new_file()) begin_again();
   if (ending_) return std::nullopt;
   context_.cancelled = false;
   return Order{settings_, version_};
@@ -93,6 +98,10 @@ void LiveScene::begin(const Order& order) {
       {"display", panel_json(stage.display.get(), interlace_)}};
   const std::lock_guard lock(mutex_);
   if (order.version != version_) return;
+  // The page receives the list of frames only once.
+  if (!facts_.frames.empty() && facts.frames.size() != facts_.frames.size())
+    throw Error(facts.title, fmt::format("has {} frames, but had {} at first", facts.frames.size(), facts_.frames.size()),
+                "a new start of `lippmann view`");
   facts_json_ = field_json(facts);
   facts_ = std::move(facts);
   placement_ = std::move(placement);
@@ -188,12 +197,17 @@ std::uint64_t LiveScene::change(const Json& changes) {
     }
   }
   settings_ = std::move(settings);
+  begin_again();
+  return version_;
+}
+
+/// Outdates the picture. The caller holds the mutex.
+void LiveScene::begin_again() {
   context_.cancelled = true;
   ++version_, ++serial_;
   is_whole_ = false;
   pass_.clear();
   changed_.notify_all();
-  return version_;
 }
 
 Json LiveScene::state() const {

@@ -85,6 +85,7 @@ class LiveScene {
 
   void work();
   std::optional<Order> next_order();
+  void begin_again();
   void make(const Order& order);
   void begin(const Order& order);
   void publish(const Order& order, const char* pass, const LivePictures& made, const Bytes& depth);

@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <utility>
 #include <variant>
 
 #include "job/job_file.hpp"
 #include "job/reuse_params.hpp"
 #include "job/test_pattern.hpp"
+#include "lippmann/core/error.hpp"
 
 namespace lippmann {
 namespace {
@@ -32,16 +34,36 @@ FrameParams params_of_one_frame(const ResolvedJob& job) {
 }  // namespace
 
 LiveStage::LiveStage(const ResolvedJob& job, const Context& context)
-    : context_(context), pool_(job.threads(context)), job_(job), stage_(std::make_unique<JobStage>(job, pool_, context)) {}
+    : context_(context), pool_(job.threads(context)), job_(job), stage_(load(job)) {}
 
 void LiveStage::set(const ResolvedJob& job) {
-  if (job_text(job.params(), {}) == job_text(job_.params(), {})) return;
+  const bool is_other_scene = scene_key(job) != scene_key(job_) || scene_file_state(job.scene().name) != loaded_;
+  if (!is_other_scene && job_text(job.params(), {}) == job_text(job_.params(), {})) return;
   maker_.reset();
-  if (scene_key(job) == scene_key(job_))
-    stage_->place(job);
+  if (is_other_scene)
+    stage_ = load(job);
   else
-    stage_ = std::make_unique<JobStage>(job, pool_, context_);
+    stage_->place(job);
   job_ = job;
+}
+
+bool LiveStage::has_new_file() {
+  const SceneFileState now = scene_file_state(job_.scene().name);
+  return std::exchange(seen_, now) == now && now != tried_;
+}
+
+/// Loads the scene again if its file changes meanwhile, so that the result never mixes two states of the file.
+std::unique_ptr<JobStage> LiveStage::load(const ResolvedJob& job) {
+  constexpr int kTries = 5;
+  const std::string& name = job.scene().name;
+  for (int i = 0; i < kTries; ++i) {
+    tried_ = scene_file_state(name);
+    auto stage = std::make_unique<JobStage>(job, pool_, context_);
+    if (scene_file_state(name) != tried_) continue;
+    loaded_ = tried_;
+    return stage;
+  }
+  throw Error(name, "changes while it is read", "a file that no program is writing");
 }
 
 std::optional<RenderedFrame> LiveStage::frame(int frame) {

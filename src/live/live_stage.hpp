@@ -10,6 +10,7 @@
 #include "job/resolved_job.hpp"
 #include "lippmann/core/context.hpp"
 #include "lippmann/core/parallel.hpp"
+#include "live/scene_file_state.hpp"
 #include "view/page_facts.hpp"
 
 namespace lippmann {
@@ -19,8 +20,12 @@ class LiveStage {
   /// `context` must outlive this object. Throws Error.
   LiveStage(const ResolvedJob& job, const Context& context);
 
-  /// Reloads the scene only if the scene, its light or the integrator has changed. On an Error, nothing changes.
+  /// Reloads the scene only if the scene, its file, its light or the integrator has changed. On an Error, nothing changes.
   void set(const ResolvedJob& job);
+
+  /// Returns whether the scene's file has changed since it was last read, and has not changed between the last two calls. A file
+  /// that is being written is therefore not read.
+  bool has_new_file();
 
   const ResolvedJob& job() const { return job_; }
   JobStage& stage() { return *stage_; }
@@ -34,9 +39,12 @@ class LiveStage {
   PageFacts facts() const;
 
  private:
+  std::unique_ptr<JobStage> load(const ResolvedJob& job);
+
   const Context& context_;
   ThreadPool pool_;
   ResolvedJob job_;
+  SceneFileState loaded_, tried_, seen_;  ///< of the scene that is in use; at the last attempt to load it; at the last look
   std::unique_ptr<JobStage> stage_;
   std::unique_ptr<FrameMaker> maker_;
   int last_frame_ = 0;
