@@ -71,6 +71,10 @@ TEST(Readme, commands_run_unchanged) {
       continue;
     expect_runs(dir, quick(command));
   }
+  // In a clone, git ignores this folder.
+  EXPECT_EQ(after_word(fs::path(LIPPMANN_SOURCE) / ".gitignore", "/out/"), Words{""});
+  for (const auto& entry : fs::directory_iterator(dir.path()))
+    if (entry.path().filename() != "examples") EXPECT_EQ(entry.path().filename(), "out");
 }
 
 /// Writes the files that the commands of docs/guide/prints.md read.
