@@ -103,6 +103,16 @@ test("narrow windows work, and the table scrolls", async () => {
   }
 });
 
+test("names in legends stay on one line", async () => {
+  for (const [width, height] of [[390, 844], [844, 390], [1400, 900]]) {
+    const page = await openFile("made/report.html", { width, height });
+    const rows = await page.locator(".u-series").evaluateAll((all) => all.map((row) => [row.textContent, row.getBoundingClientRect().height]));
+    assert.deepEqual(rows.filter(([, height]) => height > 26), [], `${width}x${height}`);
+    const tops = await chart(page, "Rays per pixel").locator(".u-series").evaluateAll((all) => all.slice(1).map((row) => row.getBoundingClientRect().top));
+    if (width > 390) assert.equal(new Set(tops).size, 1, `${width}x${height}: ${tops}`);
+  }
+});
+
 test("two renders stand side by side", async () => {
   const page = await openFile("both.html");
   assert.deepEqual(await page.locator(".compare thead th").allTextContents(), ["", "traced", "made"]);

@@ -45,7 +45,7 @@ test("a desktop shows the controls without scrolling", async () => {
 // A swipe scrolls by the height of the list.
 test("a phone reaches the controls in two swipes", async () => {
   for (const [width, height] of [[390, 844], [844, 390]]) {
-    const page = await open(address, { width, height });
+    const page = await open(address, { width, height, hasTouch: true });
     await expectRenderButtons(page);
     const toggle = page.getByRole("button", { name: "Controls" });
     if (await toggle.isVisible()) await toggle.click();

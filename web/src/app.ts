@@ -467,7 +467,9 @@ export class App {
       const bottom = Math.min(room.top + room.height, isWhole ? centre[1] + height / 2 : Infinity);
       const middle = Math.min(Math.max(centre[0], room.left), room.left + room.width);
       caption.textContent = text;
-      caption.style.left = `${this.canvas.offsetLeft + middle * ratio}px`;
+      const half = caption.offsetWidth / 2;
+      const stage = byId("stage").clientWidth;
+      caption.style.left = `${Math.max(half, Math.min(this.canvas.offsetLeft + middle * ratio, stage - half))}px`;
       caption.style.top = `${this.canvas.offsetTop + bottom * ratio}px`;
     };
     name("eye-caption", "What an eye sees", pair?.eye);

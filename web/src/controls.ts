@@ -45,11 +45,11 @@ export function makeControls(parent: HTMLElement, store: Store, actions: Actions
   const { fields } = store;
   const field = fields[0];
   const { live, player, print } = actions;
-  const beginsOnPanel = live?.about.plays ?? false;
+  const beginsOnPanel = live ? live.about.plays : store.state.show === "display";
   const isSeen = () => store.state.show !== "display";
   const hasEyes = () => field.across.views * field.up.views > 1 && store.state.show === "eye";
   const groups = [
-    beginsOnPanel ? playGroup(player, true, shown) : null,
+    beginsOnPanel ? playGroup(player, live !== null, shown) : null,
     ...(live ? setUpGroups(store, field, live, shown) : []),
     actions.run ? runGroup(actions.run, shown) : null,
     fields.length > 1 ? compareGroup(store, shown) : null,

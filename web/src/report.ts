@@ -69,7 +69,7 @@ function valueRange(chart: Chart): uPlot.Range.Function {
 function chartOptions(chart: Chart, width: number, group: string): uPlot.Options {
   const axis = (): uPlot.Axis => ({ stroke: color("--quiet"), font: kFont, grid: { stroke: color("--line"), width: 1 }, ticks: { show: false } });
   const drawn = chart.series.map((series) => seriesOptions(chart, series));
-  const levels = chart.levels.map(({ name }): uPlot.Series => ({ label: name, stroke: color("--text"), width: 1.2, dash: [5, 4], points: { show: false }, value: () => "" }));
+  const levels = chart.levels.map(({ name }): uPlot.Series => ({ label: name, class: "level", stroke: color("--text"), width: 1.2, dash: [5, 4], points: { show: false }, value: () => "" }));
   return {
     width,
     height: kHeight,
@@ -102,6 +102,13 @@ function spoken(chart: Chart): string {
   return [`${chart.title} (${chart.unit}) of ${chart.frames.length} frames`, ...parts, ...levels].join("; ");
 }
 
+/** Reserves room for the longest figure of each series, so that nothing moves when the figures of a frame appear. */
+function reserveRoom(plot: HTMLElement, { series, stacked }: Chart): void {
+  const [, ...figures] = plot.querySelectorAll<HTMLElement>(".u-value");
+  for (const [i, { values }] of (stacked ? [...series].reverse() : series).entries())
+    figures[i].style.minWidth = `${values.reduce<number>((most, value) => Math.max(most, numberText(value).length), 0)}ch`;
+}
+
 function draw(figure: HTMLElement): uPlot {
   const chart = JSON.parse(figure.querySelector("script")!.textContent!) as Chart;
   const plot = document.createElement("div");
@@ -109,7 +116,9 @@ function draw(figure: HTMLElement): uPlot {
   plot.setAttribute("aria-label", spoken(chart));
   figure.append(plot);
   const group = [...document.querySelectorAll("section")].findIndex((section) => section.contains(figure));
-  return new uPlot(chartOptions(chart, figure.clientWidth, String(group)), dataOf(chart), plot);
+  const drawn = new uPlot(chartOptions(chart, figure.clientWidth, String(group)), dataOf(chart), plot);
+  reserveRoom(plot, chart);
+  return drawn;
 }
 
 const style = document.createElement("style");
