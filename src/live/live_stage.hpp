@@ -23,8 +23,8 @@ class LiveStage {
   /// Reloads the scene only if the scene, its file, its light or the integrator has changed. On an Error, nothing changes.
   void set(const ResolvedJob& job);
 
-  /// Returns whether the scene's file has changed since it was last read, and has not changed between the last two calls. A file
-  /// that is being written is therefore not read.
+  /// Returns whether the scene's file has changed since it was last read, and has not changed between the last two calls. A
+  /// file that is being written is therefore not read.
   bool has_new_file();
 
   const ResolvedJob& job() const { return job_; }

@@ -8,8 +8,8 @@
 
 namespace lippmann {
 
-/// Sizes and times of a scene's file and of the files beside it that exporters write with the same name: .bin and .mtl. All are 0
-/// for missing files and for scenes that are built in.
+/// Sizes and times of a scene's file and of the files beside it that exporters write with the same name: .bin and .mtl. All are
+/// 0 for missing files and for scenes that are built in.
 struct SceneFileState {
   std::array<std::uintmax_t, 3> bytes{};
   std::array<std::filesystem::file_time_type, 3> written{};

@@ -107,8 +107,7 @@ TEST(LiveFile, pictures_never_mix_two_states) {
   for (int i = 0; i < 8; ++i) {
     replace(file, boards(depths[i % 2]));
     scene->change({{"settings", {{"environment", lights[i / 2 % 2]}}}});
-    for (const Pictures& picture : finals_until_rest(*scene, version_of(*scene)))
-      EXPECT_TRUE(known.contains(picture)) << i;
+    for (const Pictures& picture : finals_until_rest(*scene, version_of(*scene))) EXPECT_TRUE(known.contains(picture)) << i;
   }
 }
 

@@ -84,12 +84,17 @@ test("few lenses show their panel pixel for pixel", async () => {
   sheet();
   const page = await open(await view("sheet"), { width: 1400, height: 900 });
   assert.deepEqual(await besidePanel(page, "sheet"), { scale: 2, most: 0, isBelow: false });
+  await page.keyboard.press("1");
+  assert.deepEqual(await besidePanel(page, "sheet"), { scale: 1, most: 0, isBelow: false });
+  await page.keyboard.press("0");
   await page.setViewportSize({ width: 1000, height: 700 });
   assert.deepEqual(await besidePanel(page, "sheet"), { scale: 1, most: 0, isBelow: false });
   await page.setViewportSize({ width: 390, height: 844 });
   assert.deepEqual(await besidePanel(page, "sheet"), { scale: 1, most: 0, isBelow: true });
-  await set(page, { magnify: 3 });
-  assert.equal(await page.locator("#panel-caption").textContent(), "The panel behind the lenses");
+  for (const [magnify, scale] of [[3, ", 3:1"], [2.5, ""]]) {
+    await set(page, { magnify });
+    assert.equal(await page.locator("#panel-caption").textContent(), `The panel behind the lenses${scale}`);
+  }
   await set(page, { show: "panel", magnify: 1 });
   assert.equal(await page.locator(".caption:visible").count(), 0);
 });

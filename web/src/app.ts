@@ -18,7 +18,7 @@ import { Print, type PrintChoices } from "./print";
 import { ProgressLine, type Work } from "./progress";
 import { showLegend } from "./provenance";
 import { Run, type RunState } from "./run";
-import { Renderer, useOf } from "./renderer";
+import { magnified, Renderer, useOf } from "./renderer";
 import { Store, type State } from "./state";
 import { Tilt } from "./tilt";
 import { Timeline } from "./timeline";
@@ -458,14 +458,15 @@ export class App {
   private showCaptions(): void {
     const { pair, screen } = this.renderer;
     const ratio = this.canvas.clientWidth / screen[0];
-    const isWhole = this.store.state.magnify === 1;
+    const { magnify, pan } = this.store.state;
     const name = (id: string, text: string, placed: Placed | undefined) => {
       const caption = byId(id);
       caption.hidden = !placed;
       if (!placed) return;
-      const { room, centre, height } = placed;
-      const bottom = Math.min(room.top + room.height, isWhole ? centre[1] + height / 2 : Infinity);
-      const middle = Math.min(Math.max(centre[0], room.left), room.left + room.width);
+      const { room } = placed;
+      const shown = magnified(placed, magnify, pan);
+      const bottom = Math.min(room.top + room.height, shown.top + shown.height);
+      const middle = Math.min(Math.max(shown.left + shown.width / 2, room.left), room.left + room.width);
       caption.textContent = text;
       const half = caption.offsetWidth / 2;
       const stage = byId("stage").clientWidth;
@@ -473,7 +474,8 @@ export class App {
       caption.style.top = `${this.canvas.offsetTop + bottom * ratio}px`;
     };
     name("eye-caption", "What an eye sees", pair?.eye);
-    name("panel-caption", `The panel behind the lenses${isWhole && pair ? `, ${pair.scale}:1` : ""}`, pair?.panel);
+    const scale = pair ? pair.scale * magnify : 0;
+    name("panel-caption", `The panel behind the lenses${Number.isInteger(scale) ? `, ${scale}:1` : ""}`, pair?.panel);
   }
 
   private showZone(): void {

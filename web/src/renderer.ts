@@ -36,7 +36,7 @@ const kMostPlace = 8192;
 /** Crosstalk applies only to the view of an eye with a closed aperture. */
 export const useOf = (state: State): Use => (state.show === "eye" && state.crosstalk > 0 && state.aperture === 0 ? `eye/${Math.round(100 * state.crosstalk)}` : state.show);
 
-function magnified({ width, height, centre }: { width: number; height: number; centre: [number, number] }, by: number, pan: number[]): Rectangle {
+export function magnified({ width, height, centre }: { width: number; height: number; centre: [number, number] }, by: number, pan: number[]): Rectangle {
   const place = { width: Math.max(1, Math.round(width * by)), height: Math.max(1, Math.round(height * by)) };
   return { left: Math.round(centre[0] + pan[0] * width - place.width / 2), top: Math.round(centre[1] + pan[1] * height - place.height / 2), ...place };
 }
