@@ -17,6 +17,7 @@ if(LIPPMANN_TESTS)
   find_package(GTest REQUIRED)
 endif()
 
+find_package(ZLIB REQUIRED)
 find_package(PNG REQUIRED)
 find_package(JPEG REQUIRED)
 find_package(TIFF REQUIRED)
