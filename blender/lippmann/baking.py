@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import bpy
 import numpy as np
 
-from . import losses, nodes
+from . import losses, nodes, versions
 from . import materials as of_nodes
 
 LAYER = "lippmann"
@@ -45,7 +45,7 @@ def lost_by_input(material):
         return {}
     found = {}
     for name in kinds():
-        socket = of_nodes.input_of(shader, name)
+        socket = versions.input_of(shader, name)
         source = nodes.source(socket) if socket else None
         words = [losses.lost_of_node(node) for node in ([source, *nodes.upstream(source)] if source else [])]
         if any(words):
@@ -100,7 +100,7 @@ def shining(material, name, image):
     tree = copy.node_tree
     if name != "Normal":
         output = tree.get_output_node("ALL")
-        socket = of_nodes.input_of(nodes.source(output.inputs["Surface"]), name)
+        socket = versions.input_of(nodes.source(output.inputs["Surface"]), name)
         light = tree.nodes.new("ShaderNodeEmission")
         of_nodes.put(of_nodes.value_of(socket), light.inputs["Color"], tree)
         tree.links.new(light.outputs[0], output.inputs["Surface"])
@@ -119,11 +119,7 @@ def arrays_of(mesh):
     """Yields (collection, attribute, numbers per element, type) for each array that defines a mesh."""
     yield from ((mesh.vertices, "co", 3, np.float32), (mesh.loops, "vertex_index", 1, np.int32), (mesh.polygons, "loop_total", 1, np.int32),
                 (mesh.polygons, "material_index", 1, np.int32))
-    if hasattr(mesh, "corner_normals"):  # Blender 4.1 and later
-        yield mesh.corner_normals, "vector", 3, np.float32
-    else:
-        mesh.calc_normals_split()
-        yield mesh.loops, "normal", 3, np.float32
+    yield versions.corner_normals(mesh)
     yield from ((layer.data, "uv", 2, np.float32) for layer in mesh.uv_layers)
     yield from ((layer.data, "color", 4, np.float32) for layer in mesh.color_attributes)
 
@@ -195,7 +191,7 @@ def show_picture(tree, shader, name, image, layer):
     picture, place = tree.nodes.new("ShaderNodeTexImage"), tree.nodes.new("ShaderNodeUVMap")
     picture.image, place.uv_map = image, layer
     tree.links.new(place.outputs[0], picture.inputs["Vector"])
-    socket = of_nodes.input_of(shader, name)
+    socket = versions.input_of(shader, name)
     if name == "Normal":
         turned = tree.nodes.new("ShaderNodeNormalMap")
         turned.uv_map = layer

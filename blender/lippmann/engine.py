@@ -10,6 +10,7 @@ from . import job as jobs
 from . import look, progress, saving, tool
 
 _animation = None        # the job of the current animation, kept because Blender requests one frame per call
+_animated = set()        # names of the scenes whose last render was an animation
 _terminal = progress.Terminal()
 last_warnings = []       # of the last render, shown in the panel
 last_folder = ""
@@ -21,6 +22,18 @@ def end_animation(*_):
     if _animation:
         _animation.stop()
         _animation = None
+
+
+@bpy.app.handlers.persistent
+def keep_scene(scene, *_):
+    """Sets Blender's own option, without which Blender evaluates all modifiers again at each still and each frame."""
+    render = scene.render
+    if render.engine != Engine.bl_idname:
+        return
+    if scene.name in _animated:
+        _animated.remove(scene.name)
+        render.use_persistent_data = False  # frees the engine object, whose is_animation would stay true in the next still
+    render.use_persistent_data = scene.lippmann.keep_scene
 
 
 def size_of(picture):
@@ -39,7 +52,7 @@ class Engine(bpy.types.RenderEngine):
     bl_use_gpu_context = False
 
     def render(self, depsgraph):
-        scene = depsgraph.scene.original if hasattr(depsgraph.scene, "original") else depsgraph.scene
+        scene = depsgraph.scene.original
         try:
             pictures = self._pictures(scene)
             self._show(scene, pictures)
@@ -67,6 +80,7 @@ class Engine(bpy.types.RenderEngine):
         if still:
             job = jobs.Job(scene, True)
         else:
+            _animated.add(scene.name)
             if _animation is None:
                 _animation = jobs.Job(scene, False)
             job = _animation
@@ -115,6 +129,7 @@ def register():
     bpy.utils.register_class(Engine)
     for panel in panels():
         panel.COMPAT_ENGINES.add("LIPPMANN")
+    bpy.app.handlers.render_init.append(keep_scene)
     bpy.app.handlers.render_cancel.append(end_animation)
     bpy.app.handlers.render_complete.append(end_animation)
 
@@ -123,6 +138,7 @@ def unregister():
     end_animation()
     bpy.app.handlers.render_complete.remove(end_animation)
     bpy.app.handlers.render_cancel.remove(end_animation)
+    bpy.app.handlers.render_init.remove(keep_scene)
     for panel in panels():
         panel.COMPAT_ENGINES.discard("LIPPMANN")
     bpy.utils.unregister_class(Engine)

@@ -14,13 +14,14 @@ import sys
 import tempfile
 
 import bpy
+import numpy as np
 
 from . import contents, displays, film, frame as frames_of_displays, look, tool
 
 HERE = pathlib.Path(__file__).resolve().parent
 
 
-NOT_EXPORTED = ("samples", "denoise", "full_depth", "resume", "bake", "bake_size", "folder", "show_overlay", "extra", "tone", "exposure")  # settings that do not affect the exported scene
+NOT_EXPORTED = ("samples", "denoise", "full_depth", "resume", "bake", "bake_size", "keep_scene", "folder", "show_overlay", "extra", "tone", "exposure")  # settings that do not affect the exported scene
 
 _of_session = None  # temporary output folder of unsaved .blend files
 
@@ -112,6 +113,20 @@ def files_beside(scene):
     return {str(path): stamp(path) for path in [*bpy.utils.blend_paths(absolute=True), *caches]}
 
 
+def save_painted(folder):
+    """Saves the pixels of images that are painted and not saved, because .blend files do not contain them. Returns {name of the
+    image: path of an array (height, width, channels)}."""
+    painted = {}
+    for image in bpy.data.images:
+        if not image.is_dirty or image.source not in ("FILE", "GENERATED") or not image.has_data:
+            continue
+        values = np.empty(len(image.pixels), np.float32)
+        image.pixels.foreach_get(values)
+        painted[image.name_full] = str(folder / f"painted_{len(painted)}.npy")
+        np.save(painted[image.name_full], values.reshape(image.size[1], image.size[0], image.channels))
+    return painted
+
+
 def digest(values):
     return hashlib.blake2b(json.dumps(values, sort_keys=True, default=str).encode(), digest_size=16).hexdigest()
 
@@ -190,6 +205,7 @@ class Job:
         self._told = work / "report.json"
         library = work / "scene.blend"
         bpy.data.libraries.write(str(library), {scene}, path_remap="ABSOLUTE")
+        painted = save_painted(work)
         settings = scene.lippmann
         width, height = resolution(scene)
         self._export = Export(self.folder)
@@ -197,11 +213,12 @@ class Job:
                    "aspect": width / height if settings.output == "camera" else 0.0, "frames": [self.first, self.last], "still": self.still,
                    "bake_size": settings.bake_size if settings.bake else 0}
         whole, of_materials = hashes(library)
-        around = [files_beside(scene), scripts_are_allowed(), bpy.app.version_string, {path.name: stamp(path) for path in sorted(HERE.glob("*.py"))}]
+        around = [files_beside(scene), scripts_are_allowed(), bpy.app.version_string, {path.name: stamp(path) for path in sorted(HERE.glob("*.py"))},
+                  {name: hashlib.blake2b(pathlib.Path(file).read_bytes()).hexdigest() for name, file in painted.items()}]
         self._key = digest([request, whole, displays.chosen(scene), settings.samples > 1, around])
         materials = {name: digest([hashed, around]) for name, hashed in of_materials.items()}
         self._request.write_text(json.dumps({**request, "library": str(library), "glb": str(self._export.glb), "world": str(self._export.world), "report": str(self._told),
-                                             "materials": materials, "baked": str(self.folder / "baked")}))
+                                             "materials": materials, "baked": str(self.folder / "baked"), "painted": painted}))
         self._flags = render_flags(scene, self.still)
         self._fps = scene.render.fps / scene.render.fps_base
         self._resume = settings.resume and not self.still

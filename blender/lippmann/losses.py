@@ -4,7 +4,7 @@ Blender's exporter supports only a Principled BSDF or an Emission at the materia
 evaluate nodes that compute colours.
 """
 
-from . import exposure, film, frame, ies
+from . import exposure, film, frame, ies, versions
 from .nodes import source, upstream
 
 SHADERS = {"BSDF_PRINCIPLED", "EMISSION", "BACKGROUND"}
@@ -87,13 +87,6 @@ def say_of_objects(things, report):
             report.warn(f"{thing.name} is hidden from some of the rays that surfaces scatter; they meet it all the same.")
 
 
-def composites(scene):
-    """Since Blender 5.0, the compositor's nodes are a node group of the scene."""
-    if hasattr(scene, "compositing_node_group"):
-        return scene.compositing_node_group is not None
-    return scene.use_nodes
-
-
 def is_panoramic(scene):
     camera = scene.camera
     is_shown = scene.lippmann.output == "camera" or not frame.placed(scene)
@@ -110,7 +103,7 @@ def say_of_scene(scene, still, report):
         report.warn("Stereoscopy is left out: Blender's other views stay empty. The tool's pictures have the display's views.")
     if getattr(scene.render, "use_freestyle", False):
         report.warn("Freestyle's lines are left out.")
-    if scene.render.use_compositing and composites(scene):
+    if scene.render.use_compositing and versions.composites(scene):
         report.warn("Compositing changes what Blender shows, not the tool's pictures.")
 
 

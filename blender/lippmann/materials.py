@@ -8,24 +8,13 @@ other materials.
 import math
 from dataclasses import dataclass, field
 
-NAMES = {  # inputs of the Principled BSDF whose names depend on the version of Blender
-    "Specular": ("Specular", "Specular IOR Level"), "Transmission": ("Transmission", "Transmission Weight"), "Emission": ("Emission", "Emission Color"),
-}
+from .versions import input_of
+
 PLAIN_F0 = 0.08  # reflectance at normal incidence if the input Specular is 1
 BLACK, WHITE = (0.0, 0.0, 0.0, 1.0), (1.0, 1.0, 1.0, 1.0)
 NOT_COPIED = {"rna_type", "type", "location", "location_absolute", "width", "height", "name", "label", "parent", "select", "inputs", "outputs", "dimensions", "internal_links", "show_options",
               "show_preview", "show_texture", "hide", "bl_idname"}
 PARTS_OF_NODES = ("image_user", "texture_mapping", "color_mapping")
-
-
-def name_among(inputs, name):
-    return next((one for one in NAMES.get(name, (name,)) if one in inputs), None)
-
-
-def input_of(shader, name):
-    """Returns an input of a Principled BSDF, or None if this version of Blender does not have it. name: as in Blender 3."""
-    found = name_among(shader.inputs, name)
-    return shader.inputs[found] if found else None
 
 
 def luminance(colour):

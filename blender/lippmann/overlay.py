@@ -6,7 +6,7 @@ import bpy
 import gpu
 from gpu_extras.batch import batch_for_shader
 
-from . import frame, tool
+from . import frame, tool, versions
 
 PLANE = (0.15, 0.75, 1.0, 1.0)
 SHARP = (0.2, 0.9, 0.35, 0.9)
@@ -39,14 +39,6 @@ def figures(zone):
             ("LINES", [(0, 0, 0), ends[0], (0, 0, 0), ends[1], ends[0], eye, eye, ends[1]], ZONE)]
 
 
-def plain_shader():
-    """Returns Blender's shader for a uniform colour. Its name began with "3D_" before Blender 4.0."""
-    try:
-        return gpu.shader.from_builtin("UNIFORM_COLOR")
-    except ValueError:
-        return gpu.shader.from_builtin("3D_UNIFORM_COLOR")
-
-
 def draw():
     scene = bpy.context.scene
     if scene.render.engine != "LIPPMANN" or not scene.lippmann.show_overlay or not bpy.context.space_data.overlay.show_overlays:
@@ -55,7 +47,7 @@ def draw():
         zone = frame.zone(scene)
     except tool.ToolError:
         return  # the panel shows the error
-    shader = plain_shader()
+    shader = versions.plain_shader()
     gpu.state.blend_set("ALPHA")
     with gpu.matrix.push_pop():
         gpu.matrix.multiply_matrix(zone.world_from_frame)

@@ -148,7 +148,7 @@ class LIPPMANN_PT_light_field(bpy.types.Panel):
 
     def _settings(self, context, column):
         settings = context.scene.lippmann
-        for name in ("samples", "denoise", "tone", "exposure", "full_depth", "bake", "bake_size", "folder", "resume", "video", "extra"):
+        for name in ("samples", "denoise", "tone", "exposure", "full_depth", "bake", "bake_size", "folder", "resume", "keep_scene", "video", "extra"):
             row = column.row()
             row.active = name != "bake_size" or settings.bake
             row.prop(settings, name)

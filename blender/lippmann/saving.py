@@ -10,7 +10,7 @@ import shutil
 
 import bpy
 
-from . import losses
+from . import versions
 
 QUILT = re.compile(r"_qs\d+x\d+a[0-9.]+(?=\.[a-z]+$)")  # end of a quilt's file name (docs/reference/formats.md)
 
@@ -37,18 +37,12 @@ def written_path(scene, is_animation):
     return pathlib.Path(path if not render.use_file_extension or path.lower().endswith(ending) else path + ending)
 
 
-def has_strips(scene):
-    """Returns whether Blender's video sequencer has strips. Blender 4.3 and older use another name for their list."""
-    editor = scene.sequence_editor
-    return bool(editor and len(editor.strips_all if hasattr(editor, "strips_all") else editor.sequences_all))
-
-
 def is_ours(scene):
     """Returns whether to overwrite the file that Blender saves. It must be a PNG of this engine without compositing or strips."""
     render = scene.render
     if render.engine != "LIPPMANN" or render.image_settings.file_format != "PNG" or not _shown or _shown[0].suffix != ".png":
         return False
-    return not (render.use_compositing and losses.composites(scene)) and not (render.use_sequencer and has_strips(scene))
+    return not (render.use_compositing and versions.composites(scene)) and not (render.use_sequencer and versions.has_strips(scene))
 
 
 @bpy.app.handlers.persistent

@@ -3,7 +3,8 @@
   blender -b --factory-startup -P scene_export.py -- REQUEST.json
 
 REQUEST.json contains: library (a .blend file with the scene), scene (its name), display, calibration, frames (first and last),
-still (whether to export one picture), and the files to write: glb, world (a panorama) and report (JSON).
+still (whether to export one picture), painted (pixels of images, as .npy files), and the files to write: glb, world (a
+panorama) and report (JSON).
 
 Every object becomes a mesh with a key at each frame, because Blender's glTF exporter ignores motion by constraints, drivers,
 parents and simulations. In animations, meshes that armatures or shape keys deform are exported with skins and morph targets.
@@ -36,6 +37,11 @@ class Report:
             self.warnings.append(text)
 
 
+def part(name):
+    """Returns a module of the add-on, which main() adds to Python's path."""
+    return importlib.import_module(f"{HERE.name}.{name}")
+
+
 def begin(step, share=0.0):
     print(json.dumps({"step": step, "share": share}), file=sys.stderr, flush=True)
 
@@ -48,6 +54,23 @@ def load(request):
     scene.lippmann.display = request["display"]
     scene.lippmann.calibration = request["calibration"]
     return scene
+
+
+def take_over_painted(painted):
+    """Replaces images by painted pixels that are not saved. painted: {name of the image: path of an array}."""
+    for name, file in painted.items():
+        old = bpy.data.images.get(name)
+        if old is None:
+            continue
+        values = np.load(file)
+        height, width, channels = values.shape
+        pixels = np.ones((height, width, 4), np.float32)
+        pixels[:, :, :max(channels, 3)] = values
+        new = bpy.data.images.new(name, width, height, alpha=True, float_buffer=old.is_float)
+        new.colorspace_settings.name, new.alpha_mode = old.colorspace_settings.name, old.alpha_mode
+        new.pixels.foreach_set(pixels.ravel())
+        new.pack()
+        old.user_remap(new)
 
 
 def readable(thing):
@@ -181,7 +204,7 @@ def shining_area(light, report):
     material.use_backface_culling = True
     shader = next(node for node in material.node_tree.nodes if node.type == "BSDF_PRINCIPLED")
     shader.inputs["Base Color"].default_value = (0.0, 0.0, 0.0, 1.0)
-    importlib.import_module(f"{HERE.name}.materials").input_of(shader, "Emission").default_value = (*light.color, 1.0)
+    part("versions").input_of(shader, "Emission").default_value = (*light.color, 1.0)
     shader.inputs["Emission Strength"].default_value = light.energy / (4.0 * area)  # divided by 4 instead of pi, as in Cycles
     mesh.materials.append(material)
     return mesh
@@ -197,7 +220,7 @@ def sized(light):
         light["radius"] = light.shadow_soft_size
     if light.type == "SPOT":
         light["blend"] = light.spot_blend
-    importlib.import_module(f"{HERE.name}.ies").mark(light)
+    part("ies").mark(light)
     return light
 
 
@@ -285,14 +308,6 @@ def set_keys(thing, matrix, frame):
             thing.keyframe_insert(channel, frame=frame)
 
 
-def curves_of(motion):
-    """Returns the animation curves of an object. Since Blender 5.0, the curves belong to layers of an action."""
-    if hasattr(motion.action, "fcurves"):
-        return list(motion.action.fcurves)
-    bags = [strip.channelbag(motion.action_slot) for layer in motion.action.layers for strip in layer.strips]
-    return [curve for bag in bags if bag for curve in bag.fcurves]
-
-
 def key_places(thing, places, frames, always=False):
     """Sets an object's transform in each frame. places: {frame: matrix}. In frames without a matrix, the object is scaled to
     almost nothing. An object at rest gets no keys unless `always`."""
@@ -310,7 +325,7 @@ def key_places(thing, places, frames, always=False):
             thing.rotation_quaternion.negate()
             thing.keyframe_insert("rotation_quaternion", frame=frame)
         before = thing.rotation_quaternion.copy()
-    for curve in curves_of(thing.animation_data):
+    for curve in part("versions").curves_of(thing.animation_data):
         for point in curve.keyframe_points:
             point.interpolation = "LINEAR"
 
@@ -359,7 +374,7 @@ def frames_of(request, is_blurred):
 def build_stage(scene, request, report):
     """Returns the scene to export, the frame.Zone of the first frame, whether a mesh has shape keys, and the tool's flags for
     lens and shutter."""
-    frame_module, exposure = (importlib.import_module(f"{HERE.name}.{name}") for name in ("frame", "exposure"))
+    frame_module, exposure = part("frame"), part("exposure")
     shutter = exposure.shutter_flags(scene, request["still"], report)
     frames = frames_of(request, bool(shutter))
     first = request["frames"][0]
@@ -478,9 +493,7 @@ def write_panorama(world, path):
     sky.render.image_settings.file_format = "OPEN_EXR"
     sky.render.image_settings.color_depth = "32"
     camera = bpy.data.cameras.new("sky")
-    camera.type = "PANO"
-    holder = camera if hasattr(camera, "panorama_type") else camera.cycles
-    holder.panorama_type = "EQUIRECTANGULAR"
+    part("versions").make_panorama(camera)
     # The camera looks along +X, the direction in the middle of a panorama.
     eye = bpy.data.objects.new("sky", camera)
     eye.rotation_euler = (math.pi / 2, 0.0, -math.pi / 2)
@@ -497,22 +510,22 @@ def main():
     addon.register()
     report = Report()
     scene = load(request)
+    take_over_painted(request["painted"])
     name_everything(report)
     leave_out_missing_files(report)
     show_as_rendered(scene)
     mend_figures(scene, report)
-    importlib.import_module(f"{HERE.name}.materials").simplify_all(bpy.data.materials, report)
+    part("materials").simplify_all(bpy.data.materials, report)
     stage, zone, has_shape_keys, blur = build_stage(scene, request, report)
-    baking = importlib.import_module(f"{HERE.name}.baking")
+    baking = part("baking")
     kept = baking.Kept(pathlib.Path(request["baked"]), request["materials"])
     baked = baking.bake(stage, request["bake_size"], report, kept, begin) if request["bake_size"] else {}
     if request["bake_size"]:
         kept.remove_others()
-    importlib.import_module(f"{HERE.name}.losses").say(scene, request["still"], baked, report)
+    part("losses").say(scene, request["still"], baked, report)
     begin("writing the scene")
     export_gltf(stage, request["glb"], request["still"], has_shape_keys)
-    glb, ies, materials = (importlib.import_module(f"{HERE.name}.{name}") for name in ("glb", "ies", "materials"))
-    glb.rewrite(request["glb"], (ies.move_profiles, materials.take_gloss_away))
+    part("glb").rewrite(request["glb"], (part("ies").move_profiles, part("materials").take_gloss_away))
     colour = plain_world(scene.world)
     if colour is None:
         begin("rendering the surroundings")

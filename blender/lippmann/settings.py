@@ -46,6 +46,7 @@ class SceneSettings(bpy.types.PropertyGroup):
     resume: BoolProperty(name="Resume", default=True, description="Ctrl-F12 keeps the frames that an earlier, interrupted render of the same scene has finished")
     bake: BoolProperty(name="Bake", default=True, description="Make pictures of what nodes compute: procedural textures, bumps, colours. Takes a second or two for each mesh")
     bake_size: IntProperty(name="Baked Size", default=1024, min=64, max=8192, subtype="PIXEL", description="Width and height of these pictures; a quarter of it where there are more than 24")
+    keep_scene: BoolProperty(name="Persistent Data", default=True, description="Keep the evaluated scene in memory, so that the next render of a slightly changed scene starts sooner")
     video: BoolProperty(name="Video", description="Ctrl-F12 also writes a video of the frames")
     folder: StringProperty(name="Folder", subtype="DIR_PATH", default="//lippmann/", description="Where the pictures, the video and the exported scene are written")
     show_overlay: BoolProperty(name="Show in Viewport", default=True, description="Draw the frame, its sharp depth and its viewing zone")

@@ -19,7 +19,7 @@ from dataclasses import dataclass
 import bpy
 from mathutils import Matrix, Vector
 
-from . import displays, frame, job as jobs, tool
+from . import displays, frame, job as jobs, tool, versions
 
 NAME = "lippmann-view"
 DRAWN = {"BLENDER_EEVEE", "BLENDER_EEVEE_NEXT", "BLENDER_WORKBENCH"}  # the engines that need OpenGL
@@ -31,7 +31,7 @@ WALL_SHARE = 0.25  # walls are cut if they hide this share of the rays, as in th
 
 def engines(_self=None, _context=None):
     named = {engine.bl_idname: engine.bl_label for engine in bpy.types.RenderEngine.__subclasses__() if hasattr(engine, "bl_idname")}
-    named = {"BLENDER_EEVEE_NEXT" if (4, 2) <= bpy.app.version < (5, 0) else "BLENDER_EEVEE": "Eevee", "BLENDER_WORKBENCH": "Workbench", **named}
+    named = {versions.eevee(): "Eevee", "BLENDER_WORKBENCH": "Workbench", **named}
     named.pop("LIPPMANN", None)
     _items[:] = sorted(((name, label, f"Render each view with {label}") for name, label in named.items()), key=lambda item: item[0] != "CYCLES")
     return _items

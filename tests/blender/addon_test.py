@@ -20,7 +20,7 @@ import numpy as np
 sys.path[:0] = [str(pathlib.Path(__file__).resolve().parents[2] / "blender"), str(pathlib.Path(__file__).resolve().parent)]
 import exporter  # noqa: E402
 import lippmann  # noqa: E402
-from lippmann import contents, displays, engine, exposure, film, frame, look, losses, materials, overlay, panel, progress, scene_export, tool  # noqa: E402
+from lippmann import contents, displays, engine, exposure, film, frame, look, losses, materials, overlay, panel, progress, scene_export, tool, versions  # noqa: E402
 from lippmann import job as jobs  # noqa: E402
 
 lippmann.register()
@@ -844,9 +844,9 @@ class LaterVersions(unittest.TestCase):
         bag = Fake(fcurves=["x", "y"])
         strip = Fake(channelbag=lambda slot: bag if slot == "mine" else None)
         layered = Fake(layers=[Fake(strips=[strip])])
-        self.assertEqual(scene_export.curves_of(Fake(action=layered, action_slot="mine")), ["x", "y"])
-        self.assertEqual(scene_export.curves_of(Fake(action=layered, action_slot="other")), [])
-        self.assertEqual(scene_export.curves_of(Fake(action=Fake(fcurves=["z"]))), ["z"])
+        self.assertEqual(versions.curves_of(Fake(action=layered, action_slot="mine")), ["x", "y"])
+        self.assertEqual(versions.curves_of(Fake(action=layered, action_slot="other")), [])
+        self.assertEqual(versions.curves_of(Fake(action=Fake(fcurves=["z"]))), ["z"])
 
     def test_the_exporter_is_asked_only_for_what_it_knows(self):
         later = {"export_animation_mode", "export_anim_slide_to_zero", "export_animations", "export_vertex_color"}
@@ -854,8 +854,8 @@ class LaterVersions(unittest.TestCase):
                          {"export_animation_mode": "ACTIVE_ACTIONS", "export_anim_slide_to_zero": False, "export_animations": True})
 
     def test_emission_has_either_name(self):
-        self.assertEqual(materials.name_among({"Emission": 1, "Emission Strength": 1}, "Emission"), "Emission")
-        self.assertEqual(materials.name_among({"Emission Color": 1, "Emission Strength": 1}, "Emission"), "Emission Color")
+        self.assertEqual(versions.name_among({"Emission": 1, "Emission Strength": 1}, "Emission"), "Emission")
+        self.assertEqual(versions.name_among({"Emission Color": 1, "Emission Strength": 1}, "Emission"), "Emission Color")
 
     def test_the_overlay_s_shader_has_either_name(self):
         for name in ("UNIFORM_COLOR", "3D_UNIFORM_COLOR"):
@@ -863,13 +863,13 @@ class LaterVersions(unittest.TestCase):
                 if wanted != known:
                     raise ValueError(wanted)
                 return known
-            with unittest.mock.patch.object(overlay, "gpu", types.SimpleNamespace(shader=types.SimpleNamespace(from_builtin=built_in))):
-                self.assertEqual(overlay.plain_shader(), name)
+            with unittest.mock.patch.object(versions, "gpu", types.SimpleNamespace(shader=types.SimpleNamespace(from_builtin=built_in))):
+                self.assertEqual(versions.plain_shader(), name)
 
     def test_compositing_is_found_with_or_without_a_group_of_its_own(self):
-        self.assertTrue(losses.composites(Fake(compositing_node_group=Fake())))
-        self.assertFalse(losses.composites(Fake(compositing_node_group=None, use_nodes=True)))
-        self.assertTrue(losses.composites(Fake(use_nodes=True)))
+        self.assertTrue(versions.composites(Fake(compositing_node_group=Fake())))
+        self.assertFalse(versions.composites(Fake(compositing_node_group=None, use_nodes=True)))
+        self.assertTrue(versions.composites(Fake(use_nodes=True)))
 
     def test_the_extension_s_manifest_agrees_with_the_add_on(self):
         manifest = tomllib.loads((pathlib.Path(lippmann.__file__).parent / "blender_manifest.toml").read_text())

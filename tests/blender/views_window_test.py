@@ -17,9 +17,9 @@ import numpy as np
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "blender"))
 import lippmann  # noqa: E402
-from lippmann import panel, render_views  # noqa: E402
+from lippmann import panel, render_views, versions  # noqa: E402
 
-EEVEE = "BLENDER_EEVEE_NEXT" if (4, 2) <= bpy.app.version < (5, 0) else "BLENDER_EEVEE"
+EEVEE = versions.eevee()
 TICK, PATIENCE = 0.02, 240.0  # seconds between two steps of the test, and time limit of the test
 
 lippmann.register()
