@@ -104,13 +104,23 @@ def stamp(path):
     return [state.st_size, state.st_mtime_ns]
 
 
-def files_beside(scene):
-    """Returns {path: stamp()} of each file to which the scene refers, and of each file in its simulation caches."""
+def pictures_outside_scenes():
+    """Returns the paths of images that only image editors use, or nothing. Rendered pictures are among them."""
+    outside = {False: set(), True: set()}
+    for image, users in bpy.data.user_map(subset=bpy.data.images).items():
+        is_outside = all(isinstance(user, (bpy.types.Screen, bpy.types.WindowManager)) for user in users)
+        outside[is_outside].add(bpy.path.abspath(image.filepath, library=image.library))
+    return outside[True] - outside[False]
+
+
+def files_beside():
+    """Returns {path: stamp()} of each file to which the scenes refer, and of each file in their simulation caches."""
     caches = []
     if bpy.data.filepath:
         blend = pathlib.Path(bpy.data.filepath)
         caches = sorted(blend.parent.glob(f"blendcache_{blend.stem}/*"))
-    return {str(path): stamp(path) for path in [*bpy.utils.blend_paths(absolute=True), *caches]}
+    paths = {*bpy.utils.blend_paths(absolute=True)} - pictures_outside_scenes()
+    return {str(path): stamp(path) for path in [*paths, *caches]}
 
 
 def save_painted(folder):
@@ -142,14 +152,13 @@ def hashes(library, ignored=NOT_EXPORTED):
     return held.all, {name[2:]: held.with_references(name) for name in held.by_name if name.startswith("MA")}
 
 
-def hash_of(scene, results):
-    """Returns a hash of the scene, its settings, and the files to which it refers, except files in the folder `results`.
-    Picture sizes and the view transform do not affect it."""
+def hash_of(scene):
+    """Returns a hash of the scene, its settings, and the files to which it refers. Picture sizes and the view transform do not
+    affect it."""
     with tempfile.TemporaryDirectory(prefix="lippmann-") as folder:
         library = os.path.join(folder, "scene.blend")
         bpy.data.libraries.write(library, {scene}, path_remap="ABSOLUTE")
-        files = {path: state for path, state in files_beside(scene).items() if not path.startswith(str(results) + os.sep)}
-        return digest([hashes(library, ())[0], files, bpy.app.version_string])
+        return digest([hashes(library, ())[0], files_beside(), bpy.app.version_string])
 
 
 class Export:
@@ -213,7 +222,7 @@ class Job:
                    "aspect": width / height if settings.output == "camera" else 0.0, "frames": [self.first, self.last], "still": self.still,
                    "bake_size": settings.bake_size if settings.bake else 0}
         whole, of_materials = hashes(library)
-        around = [files_beside(scene), scripts_are_allowed(), bpy.app.version_string, {path.name: stamp(path) for path in sorted(HERE.glob("*.py"))},
+        around = [files_beside(), scripts_are_allowed(), bpy.app.version_string, {path.name: stamp(path) for path in sorted(HERE.glob("*.py"))},
                   {name: hashlib.blake2b(pathlib.Path(file).read_bytes()).hexdigest() for name, file in painted.items()}]
         self._key = digest([request, whole, displays.chosen(scene), settings.samples > 1, around])
         materials = {name: digest([hashed, around]) for name, hashed in of_materials.items()}

@@ -181,7 +181,7 @@ class Views:
         view, render = scene.view_settings, scene.render
         looks = [str(getattr(view, name)) for name in ("view_transform", "look", "exposure", "gamma", "use_curve_mapping")]
         looks += [scene.display_settings.display_device, self.engine, render.film_transparent, *jobs.resolution(scene), scene.lippmann.output]
-        return jobs.digest([jobs.hash_of(scene, self.folder), looks, self.display, self._distance])
+        return jobs.digest([jobs.hash_of(scene), looks, self.display, self._distance])
 
     def _keep_only(self, key):
         """Removes pictures of earlier renders unless their scene had the hash `key`."""

@@ -34,6 +34,7 @@ def moved_by_keys(thing):
 def shaped(thing):
     thing.shape_key_add(name="Basis")
     key = thing.shape_key_add(name="stretched")
+    key.value = 0.0  # Blender 5 begins with 1
     for point in key.data:
         point.co.x *= 2.0
     return key
@@ -124,6 +125,14 @@ class Changes(unittest.TestCase):
 
     def test_the_place_of_the_camera(self):
         self.check_change(lambda: setattr(self.scene.camera, "location", self.scene.camera.location * 1.3))
+
+    def test_a_picture_outside_the_scene_changes_nothing(self):
+        bpy.ops.render.render()
+        bpy.data.images.load(str(tool.pictures(self.folder / "still", 0)[0]))
+        bpy.ops.render.render()
+        exported = job.stamp(self.folder / "scene.glb")
+        bpy.ops.render.render()
+        self.assertEqual(job.stamp(self.folder / "scene.glb"), exported)
 
     def test_persistent_data_follows_its_setting(self):
         for keeps in (True, False):
