@@ -51,6 +51,11 @@ _PHRASES = (
     ("`optics` multiview `camera-grid`", "camera_grid()"),
     ("`optics` multiview", "camera_grid() or quilt()"),
     ("`optics` microlens", "microlens_array()"),
+    (
+        "`from` with a format, such as `from` integral `views` 8x1 or `from` native `display` portrait (see lippmann help convert)",
+        "a format, such as format='integral', views=(1, 8) or format='native', display='portrait'",
+    ),
+    ("`from` quilt `quilt` ", "format='quilt', tiles="),
     ("`keep`", "a slice of the views"),
     ("DisplayPicture::kNative", "layout='native'"),
     ("a name that 'lippmann displays' lists", "a name of lippmann.displays()"),

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 AngularFilter = Literal["none", "box"]
 Denoise = Literal["auto", "none"]
 Environment = Union[ArrayLike, "os.PathLike[str]"]
+FitTo = Union[Literal["all"], str]  # otherwise the name of a node
 Integrator = Literal["path", "whitted"]
 Layer = Literal[
     "depth",

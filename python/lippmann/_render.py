@@ -10,7 +10,7 @@ from ._arguments import choice, integer, number, path, text
 from ._errors import Error, Naming, warn_of_ignored
 from ._light_field import LightField
 from ._optics import Display, Optics, camera_grid, display_of, single_view
-from ._options import AngularFilter, Denoise, Environment, Integrator, Layer, Layout, Light, Progress, Reuse
+from ._options import AngularFilter, Denoise, Environment, FitTo, Integrator, Layer, Layout, Light, Progress, Reuse
 from ._scene import Scene, choose_camera, load, strength_and_turn, surround
 
 
@@ -107,7 +107,7 @@ def frames(
     min_psnr: Optional[float] = None,
     fit_depth: Optional[bool] = None,
     focus: str = "",
-    fit_to: str = "",
+    fit_to: FitTo = "",
     zoom: float = 1.0,
     orbit: Tuple[float, float] = (0.0, 0.0),
     light: Light = "auto",
@@ -272,7 +272,7 @@ def render(
     min_psnr: Optional[float] = None,
     fit_depth: Optional[bool] = None,
     focus: str = "",
-    fit_to: str = "",
+    fit_to: FitTo = "",
     zoom: float = 1.0,
     orbit: Tuple[float, float] = (0.0, 0.0),
     light: Light = "auto",

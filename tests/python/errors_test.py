@@ -459,3 +459,14 @@ class Errors(Case):
             scene.check()
         with self.assertRaises(lippmann.Error):
             core.Scene("x", 1, 25.0).add_mesh(np.zeros((3, 2)), np.zeros((1, 3), np.uint32), None, None, None)
+
+    def test_unknown_formats_name_arguments_of_python(self):
+        field = lippmann.LightField(np.zeros((1, 2, 4, 4, 3), np.float32))
+        for name, accepted in (
+            ("plain.png", "a format, such as format='integral', views=(1, 8) or format='native', display='portrait', or a name such as room_qs8x6a0.75.png"),
+            ("room_qs2x1.png", "format='quilt', tiles=(1, 2), or a name such as room_qs8x6a0.75.png"),
+        ):
+            (picture,) = field.save(self.folder / name)
+            with self.assertRaises(lippmann.Error) as raised:
+                lippmann.open(picture)
+            self.assertEqual(raised.exception.accepted, accepted)

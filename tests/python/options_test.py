@@ -81,16 +81,18 @@ class Options(Case):
             'for field in lippmann.frames("room", layers=["depth"], spp=4, environment="studio", fit_to="all"):\n'
             "    print(field.views.mean(), field[0, 0].shape)\n"
             'lippmann.dataset(["teapot"], "d", 1, sed=3)\nprint(lippmann.dataset("teapot", "d", 1, seed=3, rows=2, unit="1/2").made + 1)\n'
+            'lippmann.render("room", fit_to="floor")\nlippmann.render("room", fit_to=3)\n'
         )
         environment = {**os.environ, "MYPYPATH": str(SOURCE / "python"), "MYPY_CACHE_DIR": str(self.folder / "cache")}
         environment.pop("PYTHONPATH")
         command = [mypy, "--strict", "--follow-imports=silent", "--no-error-summary", "--hide-error-codes", "program.py"]
         output = subprocess.run(command, cwd=self.folder, env=environment, capture_output=True, text=True).stdout
         errors = [line for line in output.splitlines() if "error:" in line]
-        self.assertEqual([line.split(":")[1] for line in errors], ["2", "3", "6"], output)
+        self.assertEqual([line.split(":")[1] for line in errors], ["2", "3", "6", "9"], output)
         self.assertIn('"spq"', errors[0])
         self.assertIn("dpeth", errors[1])
         self.assertIn('"sed"', errors[2])
+        self.assertIn('"fit_to"', errors[3])
         clean = subprocess.run([mypy, "-p", "lippmann"], cwd=self.folder, env=environment, capture_output=True, text=True)
         self.assertEqual(clean.returncode, 0, clean.stdout)
 
