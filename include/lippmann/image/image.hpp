@@ -12,10 +12,10 @@ struct Image {
   std::vector<float> data;  ///< channel c at (x, y): data[(y * width + x) * channels + c]
 
   Image() = default;
-  Image(int w, int h, int c) : width(w), height(h), channels(c), data(static_cast<std::size_t>(w) * h * c) {}
+  Image(int w, int h, int c) : width(w), height(h), channels(c), data(static_cast<std::size_t>(std::ptrdiff_t{w} * h * c)) {}
 
-  float* pixel(int x, int y) { return data.data() + (static_cast<std::size_t>(y) * width + x) * channels; }
-  const float* pixel(int x, int y) const { return data.data() + (static_cast<std::size_t>(y) * width + x) * channels; }
+  float* pixel(int x, int y) { return data.data() + (std::ptrdiff_t{y} * width + x) * channels; }
+  const float* pixel(int x, int y) const { return data.data() + (std::ptrdiff_t{y} * width + x) * channels; }
 };
 
 /// 8-bit codes with 3 channels, in the pixel order of Image.
