@@ -110,7 +110,7 @@ def show_sentence(layout, text, width, icon="ERROR"):
     pixels wide."""
     column = layout.column(align=True)
     for index, line in enumerate(textwrap.wrap(text, max(20, int((width - 60) / 7)))):
-        column.label(text=line, icon="BLANK1" if index else icon)
+        column.label(text=line, icon="BLANK1" if index and icon != "NONE" else icon)
 
 
 class LIPPMANN_PT_light_field(bpy.types.Panel):
@@ -184,18 +184,18 @@ class LIPPMANN_PT_light_field(bpy.types.Panel):
         column.prop(settings, "frame")
         if settings.frame:
             column.prop(settings.frame.lippmann, "height")
-        row = layout.row(align=True)
-        row.operator("lippmann.place_at_selected")
-        row.operator("lippmann.place_at_focus")
+        buttons = layout.column(align=True)
+        buttons.operator("lippmann.place_at_selected")
+        buttons.operator("lippmann.place_at_focus")
         layout.prop(settings, "show_overlay")
         try:
             zone, display = frame.zone(scene), displays.chosen(scene)
         except tool.ToolError as error:
             show_sentence(layout, str(error), panel_width(context))
             return
-        box = layout.box().column()
+        box = layout.box()
         for line in figures(scene, display, zone):
-            box.label(text=line)
+            show_sentence(box, line, panel_width(context), "NONE")
 
 
 def length(scene, value):

@@ -23,6 +23,12 @@ def eevee():
     return "BLENDER_EEVEE_NEXT" if (4, 2) <= bpy.app.version < (5, 0) else "BLENDER_EEVEE"
 
 
+def still_format(image_settings):
+    """Returns the attributes that select PNG files. Since Blender 5.0, settings of videos refuse formats of pictures."""
+    kind = {"media_type": "IMAGE"} if hasattr(image_settings, "media_type") else {}
+    return {**kind, "file_format": "PNG"}
+
+
 def plain_shader():
     """Returns Blender's shader for a uniform colour. Its name began with "3D_" before Blender 4.0."""
     try:

@@ -105,7 +105,7 @@ def settings_for(scene, engine, camera, size, pixel_aspect):
     values = {"engine": engine, "resolution_x": size[0], "resolution_y": size[1], "resolution_percentage": 100, "pixel_aspect_x": pixel_aspect if wide else 1.0,
               "pixel_aspect_y": 1.0 if wide else 1.0 / pixel_aspect, "use_persistent_data": True, "use_file_extension": True, "use_multiview": False, "use_border": False,
               "filepath": render.filepath, "use_lock_interface": True}  # the user cannot change the scene between views
-    picture = {"file_format": "PNG", "color_mode": "RGBA" if render.film_transparent else "RGB", "color_depth": "8"}
+    picture = {**versions.still_format(render.image_settings), "color_mode": "RGBA" if render.film_transparent else "RGB", "color_depth": "8"}
     return (scene, {"camera": camera}), (render, values), (render.image_settings, picture)
 
 

@@ -164,6 +164,16 @@ class Views(unittest.TestCase):
         bpy.ops.mesh.primitive_plane_add(size=60.0, location=behind, rotation=scene.camera.rotation_euler)
         self.assertTrue(views.hides_scene(scene, bpy.context.evaluated_depsgraph_get(), frame.zone(scene)))
 
+    def test_views_are_pictures_where_the_output_is_a_video(self):
+        scene = self.new_scene()
+        kept = scene.render.image_settings
+        if hasattr(kept, "media_type"):
+            kept.media_type = "VIDEO"
+        kept.file_format = "FFMPEG"
+        with views.lent(*views.settings_for(scene, "CYCLES", scene.camera, (8, 8), 1.0)):
+            self.assertEqual(kept.file_format, "PNG")
+        self.assertEqual(kept.file_format, "FFMPEG")
+
     def test_displays_without_a_quilt_are_refused(self):
         scene = self.new_scene()
         scene.lippmann.calibration, scene.lippmann.display = "", "lenticular-60lpi-600dpi"
