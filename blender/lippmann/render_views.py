@@ -130,7 +130,7 @@ class RenderViews(bpy.types.Operator):
             if step.renders:
                 render_picture(scene)
         show_pictures(made.pictures)
-        self.report({"INFO"}, f"The pictures are in {made.pictures[0].parent}.")
+        self.report({"INFO"}, made.result())
 
 
 class RunViews(bpy.types.Operator):
@@ -180,7 +180,7 @@ class RunViews(bpy.types.Operator):
             self.report({"WARNING"}, CANCELLED.format(run.made.folder))
             return {"CANCELLED"}
         show_pictures(run.made.pictures)
-        self.report({"INFO"}, f"The pictures are in {run.made.pictures[0].parent}.")
+        self.report({"INFO"}, run.made.result())
         return {"FINISHED"}
 
     def cancel(self, context):

@@ -99,6 +99,11 @@ def lent(*owners):
                 setattr(owner, name, value)
 
 
+def lacks_denoiser(scene, engine):
+    """Returns whether the scene's denoising makes Cycles fail, because Blender is built without a denoiser, as Debian's is."""
+    return engine == "CYCLES" and scene.cycles.use_denoising and not scene.cycles.denoiser
+
+
 def settings_for(scene, engine, camera, size, pixel_aspect):
     render = scene.render
     wide = pixel_aspect >= 1.0
@@ -106,7 +111,8 @@ def settings_for(scene, engine, camera, size, pixel_aspect):
               "pixel_aspect_y": 1.0 if wide else 1.0 / pixel_aspect, "use_persistent_data": True, "use_file_extension": True, "use_multiview": False, "use_border": False,
               "filepath": render.filepath, "use_lock_interface": True}  # the user cannot change the scene between views
     picture = {**versions.still_format(render.image_settings), "color_mode": "RGBA" if render.film_transparent else "RGB", "color_depth": "8"}
-    return (scene, {"camera": camera}), (render, values), (render.image_settings, picture)
+    cycles = [(scene.cycles, {"use_denoising": False})] if lacks_denoiser(scene, engine) else []
+    return (scene, {"camera": camera}), (render, values), (render.image_settings, picture), *cycles
 
 
 @functools.cache
@@ -149,6 +155,10 @@ class Views:
         self._drawn = self.folder / "rendering.png"  # the view that Blender renders; moved when it is complete
         self._record = self.folder / "views.json"
         self._distance = None
+
+    def result(self):
+        noise = " This Blender has no denoiser, so the views are noisy." if lacks_denoiser(self.scene, self.engine) else ""
+        return f"The pictures are in {self.pictures[0].parent}.{noise}"
 
     def _zone(self):
         """Returns the zone of the current frame. All frames of an animation use the plane's distance in the first frame."""

@@ -164,6 +164,16 @@ class Views(unittest.TestCase):
         bpy.ops.mesh.primitive_plane_add(size=60.0, location=behind, rotation=scene.camera.rotation_euler)
         self.assertTrue(views.hides_scene(scene, bpy.context.evaluated_depsgraph_get(), frame.zone(scene)))
 
+    def test_views_are_noisy_where_blender_has_no_denoiser(self):
+        scene = self.new_scene(size=(80, 40))
+        scene.cycles.samples, scene.cycles.use_denoising = 1, True
+        made = views.Views(scene, "CYCLES")
+        for step in made.steps([1]):
+            if step.renders:
+                bpy.ops.render.render(write_still=True)
+        self.assertEqual("no denoiser" in made.result(), not scene.cycles.denoiser)
+        self.assertTrue(scene.cycles.use_denoising)
+
     def test_views_are_pictures_where_the_output_is_a_video(self):
         scene = self.new_scene()
         kept = scene.render.image_settings
