@@ -2,8 +2,9 @@ import subprocess
 import textwrap
 
 import bpy
+from bpy_extras.io_utils import ExportHelper
 
-from . import displays, engine, frame, job, look, render_views, tool
+from . import displays, engine, frame, job, look, render_views, saving, tool
 
 
 class Operator(bpy.types.Operator):
@@ -76,6 +77,35 @@ class TakeOverViewTransform(Operator):
 
     def act(self, context):
         look.take_over(context.scene.lippmann, context.scene.view_settings)
+
+
+class SaveAs(Operator, ExportHelper):
+    bl_idname = "lippmann.save_as"
+    bl_label = "Save Light Field As"
+    bl_description = "Save the last picture as the tool has rendered it, without Blender's view transform, and with the quilt's tiles in its name"
+    bl_options = {"REGISTER"}
+
+    filename_ext = ".png"
+    filter_glob: bpy.props.StringProperty(default="*.png", options={"HIDDEN"})
+
+    @classmethod
+    def poll(cls, _context):
+        return is_possible(cls, saving.shown_picture(), "Nothing has been rendered yet")
+
+    def invoke(self, context, event):
+        self.filepath = saving.shown_picture().name
+        return super().invoke(context, event)
+
+    def act(self, _context):
+        try:
+            self.report({"INFO"}, f"Saved {saving.save_as(self.filepath)}.")
+        except OSError as error:
+            raise tool.ToolError(f"{self.filepath} cannot be written: {error.strerror}.") from error
+
+
+def draw_menu(menu, context):
+    if context.engine == "LIPPMANN":
+        menu.layout.operator("lippmann.save_as", text="Save Light Field As...")
 
 
 class ViewInPage(Operator):
@@ -158,6 +188,7 @@ class LIPPMANN_PT_light_field(bpy.types.Panel):
     def _results(self, context, layout):
         view = context.scene.view_settings
         layout.operator("lippmann.view", icon="URL")
+        layout.operator("lippmann.save_as", text="Save Light Field As...", icon="FILE_TICK")
         layout.operator("lippmann.render_views", text="Render Views with Cycles or Eevee", icon="RENDER_STILL")
         if render_views.is_running():
             show_sentence(layout, render_views.status(), panel_width(context), "INFO")
@@ -209,15 +240,17 @@ def figures(scene, display, zone):
             f"Sharp \u00b1 {display['depth_budget_mm']:.1f} mm; in the scene \u00b1 {length(scene, zone.budget)}"]
 
 
-CLASSES = (PlaceAtSelected, PlaceAtFocus, MatchResolution, TakeOverViewTransform, ViewInPage, LIPPMANN_PT_light_field)
+CLASSES = (PlaceAtSelected, PlaceAtFocus, MatchResolution, TakeOverViewTransform, SaveAs, ViewInPage, LIPPMANN_PT_light_field)
 
 
 def register():
     for cls in CLASSES:
         bpy.utils.register_class(cls)
+    bpy.types.IMAGE_MT_image.append(draw_menu)
 
 
 def unregister():
+    bpy.types.IMAGE_MT_image.remove(draw_menu)
     stop_viewing()
     for cls in reversed(CLASSES):
         bpy.utils.unregister_class(cls)

@@ -26,14 +26,19 @@ def status():
     return _running.status if _running else ""
 
 
+def image_editors():
+    return [area.spaces.active for window in bpy.context.window_manager.windows for area in window.screen.areas if area.type == "IMAGE_EDITOR"]
+
+
 def show_pictures(pictures):
+    """Shows the first picture in all image editors. Without one, opens one where Blender shows its renders."""
     engine.last_folder = str(pictures[0].parent)
     image = bpy.data.images.load(str(pictures[0]), check_existing=True)
     image.reload()
-    for window in bpy.context.window_manager.windows:
-        for area in window.screen.areas:
-            if area.type == "IMAGE_EDITOR":
-                area.spaces.active.image = image
+    if not bpy.app.background and not image_editors():
+        bpy.ops.render.view_show("INVOKE_DEFAULT")
+    for editor in image_editors():
+        editor.image = image
 
 
 def render_picture(scene, how="EXEC_DEFAULT"):

@@ -28,6 +28,21 @@ def quilt_suffix(picture):
     return found.group() if found else ""
 
 
+def shown_picture():
+    """Returns the path of the picture that Blender showed last, or None if it does not exist."""
+    return _shown[0] if _shown and _shown[0].is_file() else None
+
+
+def save_as(path):
+    """Copies the shown picture. Adds the quilt's tiles to the name, and returns the path."""
+    picture, path = shown_picture(), pathlib.Path(path)
+    suffix = quilt_suffix(picture)
+    if suffix and not path.stem.endswith(suffix):
+        path = path.with_name(path.stem + suffix + path.suffix)
+    shutil.copyfile(picture, path)
+    return path
+
+
 def written_path(scene, is_animation):
     render = scene.render
     if is_animation:

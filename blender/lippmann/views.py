@@ -101,7 +101,10 @@ def lent(*owners):
 
 def lacks_denoiser(scene, engine):
     """Returns whether the scene's denoising makes Cycles fail, because Blender is built without a denoiser, as Debian's is."""
-    return engine == "CYCLES" and scene.cycles.use_denoising and not scene.cycles.denoiser
+    if engine != "CYCLES" or not scene.cycles.use_denoising:
+        return False
+    import _cycles  # exists only where Cycles does
+    return not _cycles.with_openimagedenoise
 
 
 def settings_for(scene, engine, camera, size, pixel_aspect):
@@ -109,7 +112,7 @@ def settings_for(scene, engine, camera, size, pixel_aspect):
     wide = pixel_aspect >= 1.0
     values = {"engine": engine, "resolution_x": size[0], "resolution_y": size[1], "resolution_percentage": 100, "pixel_aspect_x": pixel_aspect if wide else 1.0,
               "pixel_aspect_y": 1.0 if wide else 1.0 / pixel_aspect, "use_persistent_data": True, "use_file_extension": True, "use_multiview": False, "use_border": False,
-              "filepath": render.filepath, "use_lock_interface": True}  # the user cannot change the scene between views
+              "filepath": render.filepath, "use_lock_interface": True}  # otherwise viewports would draw, or even render, during each view
     picture = {**versions.still_format(render.image_settings), "color_mode": "RGBA" if render.film_transparent else "RGB", "color_depth": "8"}
     cycles = [(scene.cycles, {"use_denoising": False})] if lacks_denoiser(scene, engine) else []
     return (scene, {"camera": camera}), (render, values), (render.image_settings, picture), *cycles

@@ -61,6 +61,21 @@ class Saving(InFolder):
         self.assertEqual((self.folder / "saved_.png").read_bytes(), tool.pictures(self.folder / "still", 0)[0].read_bytes())
         self.assertIn("through Filmic", engine.last_warnings[-1])
 
+    def test_a_copy_of_the_last_picture_has_the_tiles_in_its_name(self):
+        saving.remember(self.folder / "nothing.png", False)
+        self.assertFalse(bpy.ops.lippmann.save_as.poll())
+        scene = new_scene(self.folder, "quilt", (80, 60))
+        scene.view_settings.view_transform = "Filmic"
+        bpy.ops.render.render()
+        picture, = tool.pictures(self.folder / "still", 0)
+        for name in ("copy.png", "copy_qs8x6a0.75.png"):
+            bpy.ops.lippmann.save_as(filepath=str(self.folder / name))
+            copy, = self.folder.glob("copy*")
+            self.assertEqual((copy.name, copy.read_bytes()), ("copy_qs8x6a0.75.png", picture.read_bytes()))
+            copy.unlink()
+        with self.assertRaisesRegex(RuntimeError, "cannot be written"):
+            bpy.ops.lippmann.save_as(filepath=str(self.folder / "missing" / "copy.png"))
+
     def test_names_stay_where_blender_knows_finished_frames_by_them(self):
         scene = new_scene(self.folder, "quilt", (80, 60))
         scene.frame_start = scene.frame_end = 3

@@ -112,6 +112,8 @@ def check(folder):
         yield
     assert first.stat().st_mtime_ns == rendered
     cycles, = folder.joinpath("cycles", "quilt").glob("*.png")
+    shown = {editor.image.filepath for editor in render_views.image_editors()}
+    assert shown == {str(cycles)}, shown
 
     shapes = [codes(quilt) > 0.5 for quilt in (eevee, cycles)]
     share, differ = shapes[0].mean(), (shapes[0] != shapes[1]).mean()
