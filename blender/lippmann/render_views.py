@@ -6,7 +6,7 @@ everything is rendered.
 
 import bpy
 
-from . import displays, engine, progress, tool, views
+from . import displays, engine, progress, saving, tool, views
 
 TICK = 0.1  # seconds between two steps
 CANCELLED = "Stopped. Finished views stay in {}; Render Views continues with them while the scene stays the same."
@@ -33,6 +33,7 @@ def image_editors():
 def show_pictures(pictures):
     """Shows the first picture in all image editors. Without one, opens one where Blender shows its renders."""
     engine.last_folder = str(pictures[0].parent)
+    saving.remember(pictures[0], False)
     image = bpy.data.images.load(str(pictures[0]), check_existing=True)
     image.reload()
     if not bpy.app.background and not image_editors():

@@ -16,7 +16,7 @@ import mathutils
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "blender"))
 import lippmann  # noqa: E402
-from lippmann import engine, frame, render_views, tool, views  # noqa: E402
+from lippmann import engine, frame, render_views, saving, tool, views  # noqa: E402
 
 lippmann.register()
 
@@ -69,7 +69,7 @@ class Views(unittest.TestCase):
         self.assertGreater(alike, 0.95)
         first, last = (self.pictures("cycles", "views")[index].read_bytes() for index in (0, -1))
         self.assertNotEqual(first, last)
-        self.assertEqual(engine.last_folder, str(quilt.parent))
+        self.assertEqual((engine.last_folder, saving.shown_picture()), (str(quilt.parent), quilt))
         self.assertEqual((scene.render.engine, scene.camera.name, tuple(scene.render.resolution_x for _ in (0,))), ("LIPPMANN", "Camera", (240,)))
         self.assertNotIn(views.NAME, bpy.data.objects)
 
