@@ -73,7 +73,7 @@ void add_compare_command(const Command& root, Action& chosen) {
       .add_option(
           "--metrics", options->metrics,
           "Also psnr-y, psnr-yuv, ms-ssim, flip, angular (between neighbouring views) or flicker (along the layer motion "
-          "of REFERENCE), separated by commas; or all")
+          "of REFERENCE), separated by commas; or all that the inputs allow")
       .type_name("LIST");
   command.add_flag("--per-view", options->per_view, "Compare each view of a light field separately");
   command.add_option("--from", options->from, "Format of light fields without a report.json, as in convert")

@@ -151,8 +151,12 @@ Comparison summarise(std::vector<FrameComparison> frames) {
 }
 
 Comparison compare(const fs::path& reference, const fs::path& test, const Context& context, const CompareParams& params) {
-  if (params.compares_views()) return compare_views(reference, test, context, params);
+  if (params.compares_views() || (params.choice.all && states_views(reference)))
+    return compare_views(reference, test, context, params);
   PairSource pairs(reference, test, params.frames, context);
+  if (params.choice.all && context.warn)
+    context.warn(
+        fmt::format("{}: no file states its views, so the metrics angular and flicker are left out", reference.string()));
   const ThreadPool pool(resolved_threads(context));
   std::vector<FrameComparison> frames;
   while (!context.cancelled) {

@@ -66,7 +66,7 @@ struct ViewsPair {
 
 ViewsPair read_pair(const std::pair<fs::path, fs::path>& paths, const CompareParams& params, const Context& context) {
   const auto& [path, test_path] = paths;
-  ViewsPair pair{path, read_views_of_frame(path, params.hints, params.choice.flicker, context.warn), {}};
+  ViewsPair pair{path, read_views_of_frame(path, params.hints, params.choice.tries_flicker(), context.warn), {}};
   pair.test = read_views_like(pair.reference, test_path, params.hints, context.warn);
   require_same_views(pair.reference, pair.test, test_path);
   return pair;
@@ -86,13 +86,14 @@ void add_rows(const ViewsPair& pair, const MetricChoice& choice, const ThreadPoo
   });
 }
 
-/// Throws if the frames are not consecutive, or if the motion layer is missing.
-void require_motion(const ViewsPair& before, const ViewsPair& pair) {
-  if (frame_number(before.path).value_or(0) + 1 != frame_number(pair.path))
-    throw usage_error("metrics", "flicker needs consecutive frames", "all frames, or `frames` without gaps");
+/// Returns the error if the flicker of a pair cannot be computed.
+std::optional<Error> flicker_obstacle(const std::optional<ViewsPair>& before, const ViewsPair& pair) {
+  if (!before || frame_number(before->path).value_or(0) + 1 != frame_number(pair.path))
+    return usage_error("metrics", "flicker needs two or more consecutive frames", "all frames, or `frames` without gaps");
   if (!pair.reference.motion)
-    throw Error(pair.path.string(), "has no motion layer, which the metric flicker needs",
-                "a reference that was rendered with `aov` motion");
+    return Error(pair.path.string(), "has no motion layer, which the metric flicker needs",
+                 "a reference that was rendered with `aov` motion");
+  return std::nullopt;
 }
 
 double flicker_of_frame(const ViewsPair& before, const ViewsPair& pair, const ThreadPool& pool) {
@@ -107,6 +108,23 @@ double flicker_of_frame(const ViewsPair& before, const ViewsPair& pair, const Th
   return flicker_of(sums);
 }
 
+class LeftOutFlicker {
+ public:
+  void add(const fs::path& frame, const Error& obstacle) {
+    if (frames_++ == 0) reason_ = fmt::format("{}: {}, so it is left out", frame.string(), obstacle.problem());
+  }
+
+  /// `possible`: the number of frames that have a frame before.
+  void report(const Context& context, int possible) const {
+    if (frames_ == 0 || !context.warn) return;
+    context.warn(reason_ + (frames_ < possible ? fmt::format(" for {} of {} frames", frames_, possible) : ""));
+  }
+
+ private:
+  int frames_ = 0;
+  std::string reason_;
+};
+
 }  // namespace
 
 Comparison compare_views(const fs::path& reference, const fs::path& test, const Context& context, const CompareParams& params) {
@@ -114,21 +132,29 @@ Comparison compare_views(const fs::path& reference, const fs::path& test, const 
   std::vector<FrameComparison> rows;
   std::vector<FrameConsistency> consistency;
   std::optional<ViewsPair> before;
-  for (const auto& paths : pairs_of_fields(reference, test, params)) {
+  LeftOutFlicker left_out;
+  const std::vector<std::pair<fs::path, fs::path>> fields = pairs_of_fields(reference, test, params);
+  for (const auto& paths : fields) {
     if (context.cancelled) break;
     ViewsPair pair = read_pair(paths, params, context);
     add_rows(pair, params.choice, pool, rows);
     FrameConsistency frame{pair.path.stem().string()};
-    if (params.choice.angular)
+    if (params.choice.tries_angular())
       frame.angular_psnr_db = angular_psnr_db(pair.reference.views, pair.test.views, pair.reference.grid);
-    if (params.choice.flicker && before) {
-      require_motion(*before, pair);
-      require_same_views(before->reference, pair.reference, pair.path);
-      frame.flicker = flicker_of_frame(*before, pair, pool);
+    if (params.choice.tries_flicker() && (before || fields.size() == 1)) {
+      const std::optional<Error> obstacle = flicker_obstacle(before, pair);
+      if (obstacle && params.choice.flicker) throw Error(*obstacle);
+      if (obstacle) {
+        left_out.add(pair.path, *obstacle);
+      } else {
+        require_same_views(before->reference, pair.reference, pair.path);
+        frame.flicker = flicker_of_frame(*before, pair, pool);
+      }
     }
-    if (params.choice.angular || params.choice.flicker) consistency.push_back(std::move(frame));
+    if (params.choice.tries_angular() || params.choice.tries_flicker()) consistency.push_back(std::move(frame));
     before = std::move(pair);
   }
+  left_out.report(context, std::max(1, static_cast<int>(fields.size()) - 1));
   Comparison result = summarise(std::move(rows));
   result.consistency = std::move(consistency);
   return result;

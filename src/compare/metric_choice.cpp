@@ -18,17 +18,17 @@ constexpr std::array<std::string_view, 10> kMetricNames{"psnr", "ssim",    "mse"
 
 bool choose(std::string_view name, MetricChoice& choice) {
   const bool all = name == "all";
+  choice.all = choice.all || all;
   bool known = all || name == "psnr" || name == "ssim" || name == "mse";
-  const auto choose_if = [&](std::string_view this_name, bool& chosen) {
-    if (!all && name != this_name) return;
-    chosen = known = true;
+  const auto choose_if = [&](std::string_view this_name, bool& chosen, bool in_all = true) {
+    if (name == this_name || (all && in_all)) chosen = known = true;
   };
   choose_if("psnr-y", choice.psnr_y);
   choose_if("psnr-yuv", choice.psnr_yuv);
   choose_if("ms-ssim", choice.slow.ms_ssim);
   choose_if("flip", choice.slow.flip);
-  choose_if("angular", choice.angular);
-  choose_if("flicker", choice.flicker);
+  choose_if("angular", choice.angular, false);
+  choose_if("flicker", choice.flicker, false);
   return known;
 }
 

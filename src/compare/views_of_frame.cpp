@@ -11,6 +11,7 @@
 #include "layout/views_layer.hpp"
 #include "lippmann/image/encode.hpp"
 #include "lippmann/layout/open_light_field.hpp"
+#include "video/video_reader.hpp"
 
 namespace lippmann {
 namespace {
@@ -38,6 +39,13 @@ bool is_single_view(const fs::path& path, const ViewsHints& hints) {
   return views && views->film.grid.count() == 1;
 }
 
+bool file_states_views(const fs::path& file) {
+  if (is_video_name(file)) return false;
+  if (format_by_name(file)) return true;
+  const std::optional<Rendering> rendering = rendering_of(file);
+  return rendering && rendered_views(rendering->optics);
+}
+
 FrameViews read_single_view(const fs::path& path, bool with_motion, const std::function<void(std::string_view)>& warn) {
   FrameViews frame{.grid = {1, 1},
                    .views = {std::visit([](const auto& picture) { return codes_of(picture); }, read_picture(path, warn))}};
@@ -49,6 +57,14 @@ FrameViews read_single_view(const fs::path& path, bool with_motion, const std::f
 }
 
 }  // namespace
+
+bool states_views(const fs::path& path) {
+  std::error_code ignored;
+  if (!fs::is_directory(path, ignored)) return file_states_views(path);
+  const std::vector<fs::path> frames = light_field_frames(path, "");
+  if (frames.empty()) return is_light_field_folder(path);
+  return fs::is_directory(frames.front(), ignored) || file_states_views(frames.front());
+}
 
 FrameViews read_views_of_frame(const fs::path& path, const ViewsHints& hints, bool with_motion,
                                const std::function<void(std::string_view)>& warn) {
@@ -66,7 +82,9 @@ FrameViews read_views_of_frame(const fs::path& path, const ViewsHints& hints, bo
 FrameViews read_views_like(const FrameViews& reference, const fs::path& path, const ViewsHints& hints,
                            const std::function<void(std::string_view)>& warn) {
   ViewsHints completed = hints;
-  if (!completed.views) completed.views = reference.grid;
+  // A grid of 1x1 views would make an RGB-D picture a picture without depth.
+  const bool is_one_named_picture = reference.grid.count() == 1 && format_by_name(path);
+  if (!completed.views && !is_one_named_picture) completed.views = reference.grid;
   const bool is_described = fs::is_directory(path) || rendering_of(path) || format_by_name(path);
   if (completed.from.empty() && !is_described && reference.grid.count() > 1) completed.from = std::string(reference.format);
   return read_views_of_frame(path, completed, false, warn);

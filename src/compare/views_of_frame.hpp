@@ -30,6 +30,9 @@ struct FrameViews {
   std::string_view format = {};
 };
 
+/// Returns whether the path is a light field, or a folder of light fields or of rendered views, whose layout a file states.
+bool states_views(const std::filesystem::path& path);
+
 FrameViews read_views_of_frame(const std::filesystem::path& path, const ViewsHints& hints, bool with_motion,
                                const std::function<void(std::string_view)>& warn);
 

@@ -25,7 +25,7 @@ std::size_t sample_bytes(const Picture& picture) {
 
 }  // namespace
 
-std::vector<NumberedFile> numbered_files(const fs::path& folder, const TextPattern& pattern, const std::string& accepted) {
+std::vector<NumberedFile> find_numbered_files(const fs::path& folder, const TextPattern& pattern, const std::string& accepted) {
   std::vector<NumberedFile> files;
   for (const fs::directory_entry& entry : entries_of(folder, "a folder of " + accepted)) {
     const std::optional<PatternMatch> found = pattern.match(entry.path().filename().string());
@@ -39,7 +39,6 @@ std::vector<NumberedFile> numbered_files(const fs::path& folder, const TextPatte
     }
     files.push_back(std::move(file));
   }
-  if (files.empty()) throw Error(folder.string(), "contains no views", accepted);
   std::sort(files.begin(), files.end(), [](const NumberedFile& a, const NumberedFile& b) {
     return std::tie(a.numbers, a.path) < std::tie(b.numbers, b.path);
   });
@@ -47,6 +46,12 @@ std::vector<NumberedFile> numbered_files(const fs::path& folder, const TextPatte
     if (files[i].numbers == files[i - 1].numbers)
       throw Error(folder.string(), fmt::format("has two pictures for view {}: {} and {}", files[i].numbers.front(),
                                                files[i - 1].path.filename().string(), files[i].path.filename().string()));
+  return files;
+}
+
+std::vector<NumberedFile> numbered_files(const fs::path& folder, const TextPattern& pattern, const std::string& accepted) {
+  std::vector<NumberedFile> files = find_numbered_files(folder, pattern, accepted);
+  if (files.empty()) throw Error(folder.string(), "contains no views", accepted);
   return files;
 }
 

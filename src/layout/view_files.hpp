@@ -19,9 +19,13 @@ struct NumberedFile {
   std::filesystem::path path;
 };
 
-/// Returns the files of a folder that match the pattern, in ascending order of their numbers. Throws Error naming the
-/// folder if it cannot be listed, has no such files, or has two files with the same numbers. `accepted`: description of
-/// the file names, for the message.
+/// Returns the files of a folder that match the pattern, in ascending order of their numbers; empty if there are none. Throws
+/// Error naming the folder if it cannot be listed or has two files with the same numbers. `accepted`: description of the
+/// file names, for the message.
+std::vector<NumberedFile> find_numbered_files(const std::filesystem::path& folder, const TextPattern& pattern,
+                                              const std::string& accepted);
+
+/// Returns the same as find_numbered_files(), but throws Error naming the folder if there are no such files.
 std::vector<NumberedFile> numbered_files(const std::filesystem::path& folder, const TextPattern& pattern,
                                          const std::string& accepted);
 

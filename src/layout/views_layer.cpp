@@ -20,7 +20,7 @@ std::optional<Image> layer_of_folder(const fs::path& folder, const LightField& f
   static const TextPattern name("view_([0-9]{1,6})\\.[^.]+");
   std::optional<Image> stack;
   std::ptrdiff_t filled = 0;
-  for (const NumberedFile& view : numbered_files(folder, name, "view_000.png, view_001.png, ...")) {
+  for (const NumberedFile& view : find_numbered_files(folder, name, "view_000.png, view_001.png, ...")) {
     const std::optional<Image> layer = read(view.path);
     if (!has_size(layer, field.view_size)) return std::nullopt;
     if (!stack) stack = Image(stack_size(field).x, stack_size(field).y, layer->channels);

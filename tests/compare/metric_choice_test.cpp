@@ -19,7 +19,14 @@ TEST(ReadMetrics, names_are_chosen_alone) {
 
 TEST(ReadMetrics, all_selects_every_metric) {
   const MetricChoice choice = read_metrics("all");
-  EXPECT_TRUE(choice.psnr_y && choice.psnr_yuv && choice.slow.ms_ssim && choice.slow.flip && choice.angular && choice.flicker);
+  EXPECT_TRUE(choice.psnr_y && choice.psnr_yuv && choice.slow.ms_ssim && choice.slow.flip);
+  EXPECT_TRUE(choice.tries_angular() && choice.tries_flicker());
+}
+
+TEST(ReadMetrics, all_requires_only_metrics_that_are_also_named) {
+  const MetricChoice choice = read_metrics("all,flicker");
+  EXPECT_TRUE(choice.all && choice.flicker);
+  EXPECT_FALSE(choice.angular);
 }
 
 TEST(ReadMetrics, unknown_names_are_refused_with_the_nearest) {
