@@ -72,11 +72,14 @@ std::optional<EslfSideFile> parse_eslf_side_file(const std::string& text, const 
   side.grid = {fields.whole("columns", side_range), fields.whole("rows", side_range)};
   if (fields.has("positions")) side.positions = points_of(fields, "positions", side.grid.count());
   if (fields.has("cameras")) side.cameras = cameras_in(fields.inner("cameras"), side.grid.count());
+  const double of_cameras = side.cameras ? side.cameras->pixel_mm.x / side.cameras->pixel_mm.y : 1.0;
+  side.pixel_aspect = fields.number_or("pixel_aspect", {1e-3, 1e3}, of_cameras);
   return side;
 }
 
 std::string eslf_side_text(const EslfSideFile& side) {
   EslfJson table{{"columns", side.grid.columns}, {"rows", side.grid.rows}};
+  if (side.pixel_aspect != 1.0) table["pixel_aspect"] = side.pixel_aspect;
   if (side.positions) table["positions"] = json_of(*side.positions);
   if (side.cameras)
     table["cameras"] = {{"distance_mm", side.cameras->distance_mm},

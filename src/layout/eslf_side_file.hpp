@@ -1,10 +1,11 @@
 // The side file of a plenoptic camera's picture, <picture>.json. It holds the number of views and, if known, their cameras,
 // which the picture itself cannot store.
 //
-//   {"eslf": {"columns": 14, "rows": 14, "positions": [[x, y], ...],
+//   {"eslf": {"columns": 14, "rows": 14, "pixel_aspect": 1, "positions": [[x, y], ...],
 //             "cameras": {"distance_mm": d, "pixel_mm": [w, h], "centre_px": [x, y], "eyes_mm": [[x, y], ...]}}}
 //
-// `positions` and `cameras` are optional. Lists are in the order of the views; x is to the right and y up, as in LightField.
+// `pixel_aspect` is width / height of a view's pixels; if it is missing, it follows from the cameras, or else is 1. `positions`
+// and `cameras` are also optional. Lists are in the order of the views; x is to the right and y up, as in LightField.
 #pragma once
 
 #include <filesystem>
@@ -17,7 +18,8 @@
 namespace lippmann {
 
 struct EslfSideFile {
-  ViewGrid grid;
+  ViewGrid grid{};
+  double pixel_aspect = 1.0;
   std::optional<std::vector<Vec2d>> positions = {};
   std::optional<ViewCameras> cameras = {};
 };

@@ -1,5 +1,6 @@
 // `integral` is the picture behind a lens array. `eslf`, for plenoptic cameras, is the same picture with the pixels
-// below each lens rotated by 180 degrees.
+// below each lens rotated by 180 degrees. The pixels of its views are square unless the side file states another shape: a
+// plenoptic camera's lenses are round, however many views there are across and up.
 #include <fmt/format.h>
 
 #include "layout/eslf_side_file.hpp"
@@ -33,14 +34,16 @@ LightField read_eslf(const fs::path& path, const FormatOptions& options) {
                 fmt::format("its side file states {}x{} views, unlike `views`", side->grid.columns, side->grid.rows),
                 "the same number in `views`, or no `views`");
   LightField field = read_packed(path, {LayoutKind::kEslf, grid, {}}, options.with_depth, options.warn);
+  field.aspect = (side ? side->pixel_aspect : 1.0) * field.view_size.x / field.view_size.y;
   if (side) field.positions = side->positions, field.cameras = side->cameras;
   return field;
 }
 
 std::vector<fs::path> write_eslf(const LightField& field, const fs::path& path, const FormatOptions&) {
   std::vector<fs::path> written = write_packed(field, {LayoutKind::kEslf, field.grid, {}}, path);
-  if (field.positions || field.cameras)
-    written.push_back(write_eslf_side_file(path, {field.grid, field.positions, field.cameras}));
+  const double aspect = pixel_aspect(field);
+  if (aspect != 1.0 || field.positions || field.cameras)
+    written.push_back(write_eslf_side_file(path, {field.grid, aspect, field.positions, field.cameras}));
   return written;
 }
 

@@ -157,6 +157,42 @@ TEST(EslfFormat, views_without_cameras_have_no_side_file) {
   EXPECT_FALSE(fs::exists(dir / "a.png.json"));
 }
 
+TEST(EslfFormat, pixels_of_views_are_square) {
+  const TempDir dir;
+  const struct {
+    ViewGrid grid;
+    Vec2i view_size;
+  } trials[] = {{{14, 14}, {541, 376}}, {{15, 15}, {625, 434}}, {{9, 5}, {40, 30}}, {{5, 9}, {30, 40}}};
+  for (const auto& [grid, size] : trials) {
+    write_picture(dir / "a.png",
+                  Image8{grid.columns * size.x, grid.rows * size.y,
+                         std::vector<unsigned char>(static_cast<std::size_t>(3 * grid.columns * size.x * grid.rows * size.y))});
+    const LightField field = eslf_format().read(dir / "a.png", {.views = grid});
+    EXPECT_EQ(field.view_size, size);
+    EXPECT_EQ(pixel_aspect(field), 1.0) << grid.columns << "x" << grid.rows;
+    EXPECT_DOUBLE_EQ(field.aspect, static_cast<double>(size.x) / size.y);
+    views_format().write(field, dir / "views", {});
+    EXPECT_FALSE(fs::exists(dir / "views/views.json")) << "no shape of pixels is made up";
+    fs::remove_all(dir / "views");
+  }
+}
+
+TEST(EslfFormat, side_file_keeps_the_shape_of_pixels) {
+  const TempDir dir;
+  LightField field = numbered_field({4, 2}, {6, 5});
+  field.aspect = 2.0 * 6 / 5;
+  eslf_format().write(field, dir / "a.png", {});
+  EXPECT_DOUBLE_EQ(pixel_aspect(open_light_field(dir / "a.png", "", {}).field), 2.0);
+  const auto aspect_in = [](const char* text) { return parse_eslf_side_file(text, "side.json")->pixel_aspect; };
+  EXPECT_EQ(aspect_in(R"({"eslf": {"columns": 1, "rows": 1}})"), 1.0);
+  EXPECT_EQ(aspect_in(R"({"eslf": {"columns": 1, "rows": 1, "cameras": {"distance_mm": 9, "pixel_mm": [6, 2],
+                          "centre_px": [0, 0], "eyes_mm": [[0, 0]]}}})"),
+            3.0)
+      << "the cameras state it";
+  EXPECT_THAT(error_message([&] { aspect_in(R"({"eslf": {"columns": 1, "rows": 1, "pixel_aspect": 0}})"); }),
+              HasSubstr("side.json: eslf.pixel_aspect: is 0"));
+}
+
 TEST(EslfFormat, damaged_side_files_are_refused) {
   for (const char* text : {R"({"eslf": 3})", R"({"eslf": {"columns": 2}})", R"({"eslf": {"columns": 0, "rows": 1}})",
                            R"({"eslf": {"columns": 2, "rows": 1, "positions": [[1, 2]]}})",
