@@ -4,7 +4,7 @@
 // - the node hierarchy of the default scene, and its cameras,
 // - one of the file's animations,
 // - triangle meshes with skins and morph targets,
-// - metallic-roughness materials with all their textures (PNG, JPEG, WebP),
+// - metallic-roughness materials with all their textures (PNG, JPEG, WebP; also BMP, TIFF, GIF and TGA),
 // - the extensions KHR_lights_punctual, EXT_lights_ies, EXT_lights_image_based, KHR_node_visibility, KHR_materials_unlit,
 //   _emissive_strength, _ior, _transmission, _volume, _dispersion, _diffuse_transmission, _specular, _clearcoat, _sheen,
 //   _anisotropy, _iridescence, _pbrSpecularGlossiness, _variants, KHR_texture_transform, EXT_texture_webp,

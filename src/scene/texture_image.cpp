@@ -13,9 +13,21 @@
 
 #include "core/file_content.hpp"
 #include "lippmann/core/error.hpp"
+#include "lippmann/image/encode.hpp"
 
 namespace lippmann {
 namespace {
+
+/// Converts linear light, as in TIFF files with floats, to opaque sRGB codes.
+DecodedPicture codes_of_light(DecodedPicture picture) {
+  Image light;
+  light.width = picture.header.width, light.height = picture.header.height;
+  light.channels = static_cast<int>(picture.header.channels.size());
+  light.data = std::get<std::vector<float>>(std::move(picture.samples));
+  picture.header.channels = default_channels(3);
+  picture.samples = to_codes(light, Encoding::kSrgb).rgb;
+  return picture;
+}
 
 std::vector<std::uint8_t> to_bytes(Samples samples) {
   if (auto* bytes = std::get_if<std::vector<std::uint8_t>>(&samples)) return std::move(*bytes);
@@ -43,8 +55,11 @@ struct Reader {
   DecodedPicture (*decode)(FileBytes, const std::string&);
 };
 
-constexpr Reader kReaders[] = {
-    {is_png, png_header, decode_png}, {is_jpeg, jpeg_header, decode_jpeg}, {is_webp, webp_header, decode_webp}};
+/// TGA is last, because it has no magic number.
+constexpr Reader kReaders[] = {{is_png, png_header, decode_png},    {is_jpeg, jpeg_header, decode_jpeg},
+                               {is_webp, webp_header, decode_webp}, {is_bmp, bmp_header, decode_bmp},
+                               {is_tiff, tiff_header, decode_tiff}, {is_gif, gif_header, decode_gif},
+                               {is_tga, tga_header, decode_tga}};
 
 const Reader* find_reader(FileBytes encoded) {
   for (const Reader& reader : kReaders)
@@ -69,7 +84,7 @@ std::string texture_image_problem(FileBytes encoded) {
   if (find_reader(encoded)) return {};
   if (is_ktx2(encoded)) return fmt::format("is a KTX2 file: {}", kKtx2Advice);
   const FileContent content = describe_content(encoded);
-  const std::string advice = content.advice.empty() ? "PNG, JPEG, WebP" : content.advice;
+  const std::string advice = content.advice.empty() ? "PNG, JPEG, WebP, BMP, TIFF, GIF, TGA" : content.advice;
   return fmt::format("is {} (accepted: {})", content.what, advice);
 }
 
@@ -80,6 +95,7 @@ Vec2i texture_size(FileBytes encoded, const std::string& where) {
 
 void decode_texture(FileBytes encoded, const std::string& where, Texture& into) {
   DecodedPicture picture = reader_of(encoded, where).decode(encoded, where);
+  if (std::holds_alternative<std::vector<float>>(picture.samples)) picture = codes_of_light(std::move(picture));
   into.width = picture.header.width, into.height = picture.header.height;
   into.rgba = expanded_to_rgba(to_bytes(std::move(picture.samples)), picture.header.channels.size());
 }

@@ -11,7 +11,7 @@ namespace lippmann {
 constexpr std::string_view kKtx2Advice =
     "convert to PNG first, with gltf-transform ktxdecompress IN OUT (npm's @gltf-transform/cli; it needs KTX-Software)";
 
-/// Returns why the image cannot be decoded ("is a GIF picture ..."), judged by its first bytes. Returns an empty text for a
+/// Returns why the image cannot be decoded ("is a DDS texture ..."), judged by its first bytes. Returns an empty text for a
 /// supported format.
 std::string texture_image_problem(FileBytes encoded);
 

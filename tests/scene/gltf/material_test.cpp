@@ -370,12 +370,24 @@ std::string warning_about(const std::vector<unsigned char>& image) {
 }
 
 std::string left_out_image(const std::string& what) {
-  return "a.glb: an image is " + what + " (accepted: PNG, JPEG, WebP); the surface is shown without it (first at images[0])";
+  return "a.glb: an image is " + what +
+         " (accepted: PNG, JPEG, WebP, BMP, TIFF, GIF, TGA); the surface is shown without it (first at images[0])";
 }
 
 TEST(GltfTexture, unknown_image_format_is_a_warning) {
-  EXPECT_EQ(warning_about({'G', 'I', 'F', '8'}), left_out_image("a GIF picture"));
+  EXPECT_EQ(warning_about({'D', 'D', 'S', ' '}), left_out_image("a DDS texture"));
   EXPECT_EQ(warning_about({0xab, 'K', 'T', 'X', ' ', '1', '1', 0xbb, '\r', '\n', 0x1a, '\n'}), left_out_image("a KTX texture"));
+}
+
+TEST(GltfTexture, other_programs_pictures_are_read) {
+  using namespace std::literals;
+  // one pixel of 24 bits: blue 30, green 20, red 10
+  const std::string bmp =
+      "BM\x3a\0\0\0\0\0\0\0\x36\0\0\0\x28\0\0\0\1\0\0\0\1\0\0\0\1\0\x18\0"s + std::string(24, '\0') + "\x1e\x14\x0a\0"s;
+  std::vector<std::string> warnings;
+  const Scene scene = parse(textured({bmp.begin(), bmp.end()}), &warnings);
+  EXPECT_THAT(warnings, testing::IsEmpty());
+  EXPECT_THAT(scene.textures.at(0).rgba, testing::ElementsAre(10, 20, 30, 255));
 }
 
 TEST(GltfTexture, ktx2_image_gets_advice) {
@@ -389,7 +401,8 @@ TEST(GltfTexture, every_png_prefix_is_an_error) {
   for (std::size_t length = 1; length < whole.size(); ++length) {
     const std::vector<unsigned char> cut(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(length));
     if (length < 8)
-      EXPECT_THAT(warning_about(cut), HasSubstr("(accepted: PNG, JPEG, WebP); the surface is shown")) << "cut to " << length;
+      EXPECT_THAT(warning_about(cut), HasSubstr("(accepted: PNG, JPEG, WebP, BMP, TIFF, GIF, TGA); the surface is shown"))
+          << "cut to " << length;
     else
       EXPECT_EQ(error_message([&] { parse(textured(cut)); }),
                 "a.glb: images[0]: cannot be read as a picture: the file is truncated")
