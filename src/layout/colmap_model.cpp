@@ -135,17 +135,25 @@ PosedCamera camera_of_model(const ColmapModel& model, ColmapSource& source) {
   if (model.focals == 0)
     source.reject(fmt::format("its model is {}", model.name), "PINHOLE, SIMPLE_PINHOLE, or a model without distortion");
   PosedCamera camera;
-  camera.size.x = static_cast<int>(source.whole("width", kMostSide));
-  camera.size.y = static_cast<int>(source.whole("height", kMostSide));
-  camera.focal_px.x = source.number("focal length", kMostFocal);
-  camera.focal_px.y = model.focals == 2 ? source.number("focal length", kMostFocal) : camera.focal_px.x;
+  const auto side = [&](const char* what) {
+    const std::uint64_t pixels = source.whole(what, kMostSide);
+    if (pixels == 0) source.reject(fmt::format("its {} is 0", what), fmt::format("1 to {} pixels", kMostSide));
+    return static_cast<int>(pixels);
+  };
+  const auto focal_length = [&] {
+    const double pixels = source.number("focal length", kMostFocal);
+    if (!(pixels > 0.0)) source.reject(fmt::format("its focal length is {}", pixels), "a number of pixels above 0");
+    return pixels;
+  };
+  camera.size.x = side("width");
+  camera.size.y = side("height");
+  camera.focal_px.x = focal_length();
+  camera.focal_px.y = model.focals == 2 ? focal_length() : camera.focal_px.x;
   camera.principal_px.x = source.number("principal point", kMostPlace);
   camera.principal_px.y = source.number("principal point", kMostPlace);
   for (std::size_t i = model.focals + 2; i < model.params; ++i)
     if (source.number("distortion", kMostPlace) != 0.0)
       source.reject("its lens has distortion", "pictures written by COLMAP's image_undistorter");
-  if (camera.size.x < 1 || camera.size.y < 1 || !(camera.focal_px.x > 0.0) || !(camera.focal_px.y > 0.0))
-    source.reject("its size or focal length is not above 0", "a camera with pixels and a focal length");
   return camera;
 }
 

@@ -44,24 +44,25 @@ class CvkitProperties {
     std::string_view rest = found->second;
     std::vector<double> numbers;
     constexpr std::string_view kBetween = "[]; \t,";
+    const std::string accepted =
+        fmt::format("{} of at most {}", count == 1 ? "a number" : fmt::format("{} numbers", count), kMostCvkit);
     while (true) {
       rest.remove_prefix(std::min(rest.find_first_not_of(kBetween), rest.size()));
       if (rest.empty()) break;
       double number = 0.0;
       const auto [end, problem] = std::from_chars(rest.data(), rest.data() + rest.size(), number);
-      if (problem != std::errc() || !(std::abs(number) <= kMostCvkit)) reject(key, count);
+      if (problem != std::errc() || !(std::abs(number) <= kMostCvkit)) reject(key, accepted);
       numbers.push_back(number);
       rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
     }
-    if (numbers.size() != count) reject(key, count);
+    if (numbers.size() != count) reject(key, accepted);
     return numbers;
   }
 
   double number_or(const std::string& key, double otherwise) const { return has(key) ? numbers(key, 1)[0] : otherwise; }
 
-  [[noreturn]] void reject(const std::string& key, std::size_t count) const {
-    throw Error(where_, fmt::format("its {} is {}", key, shown(values_.at(key))),
-                fmt::format("{} numbers of at most {}", count, kMostCvkit));
+  [[noreturn]] void reject(const std::string& key, const std::string& accepted) const {
+    throw Error(where_, fmt::format("its {} is {}", key, shown(values_.at(key))), accepted);
   }
 
  private:
@@ -107,7 +108,8 @@ CvkitCamera parse_cvkit_camera(const std::string& text, const std::string& where
   read.camera.resolution = resolution_of(properties, where);
   read.rho = properties.number_or("rho", properties.number_or("camera.rho", 0.0));
   if (!(read.rho >= 0.0)) throw Error(where, fmt::format("its rho is {}", read.rho), "0 or more");
-  properties.number_or("t", 0.0);  // throws if the baseline t is not a number
+  if (properties.has("t") && !(properties.numbers("t", 1)[0] > 0.0))
+    properties.reject("t", "a distance between cameras above 0");
   return read;
 }
 

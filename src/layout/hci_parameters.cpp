@@ -104,6 +104,8 @@ HciParameters parse_hci_parameters(const std::string& text, const std::string& w
   p.columns = values.count("num_cams_x", kMaxCameras);
   p.rows = values.count("num_cams_y", kMaxCameras);
   p.baseline_mm = values.number("baseline_mm", 0.0, kMost);
+  if (p.baseline_mm == 0.0 && p.columns * p.rows > 1)
+    throw Error(where, fmt::format("its baseline_mm is 0, but it has {}x{} cameras", p.columns, p.rows), "a number above 0");
   p.focus_distance_m = values.number("focus_distance_m", kLeast, kMost);
   p.centre_camera_m[0] = values.number_or("center_cam_x_m", 0.0);
   p.centre_camera_m[1] = values.number_or("center_cam_y_m", 0.0);

@@ -33,6 +33,9 @@ PosedPicture picture_from_row(std::span<const double> row, const std::string& en
     if (!(side >= 1.0 && side <= kMostSide) || side != std::floor(side))
       throw Error(place, fmt::format("its picture has {}x{} pixels", width, height), "whole numbers up to 65536");
   if (!(focal >= 1e-3)) throw Error(place, fmt::format("its focal length is {} pixels", focal), "a number above 0");
+  if (!(row[15] > 0.0 && row[15] <= row[16]))
+    throw Error(place, fmt::format("its depths reach from {} to {}", row[15], row[16]),
+                "the nearest depth, above 0, then the farthest");
   camera.size = {static_cast<int>(width), static_cast<int>(height)};
   camera.focal_px = Vec2d(focal);
   camera.principal_px = 0.5 * Vec2d(camera.size);

@@ -37,7 +37,10 @@ MivCamera camera_from(const JsonFields& json) {
   camera.focal_px = json.pair("Focal", {1e-6, kMost});
   camera.principal_point_px = json.pair("Principle_point", {-kMost, kMost});
   const Vec2d range = json.pair("Depth_range", {1e-9, 1e30});
+  if (!(range.x < range.y))
+    json.reject("Depth_range", fmt::format("is {} to {}", range.x, range.y), "the nearest depth, then the farthest");
   camera.near_m = range.x, camera.far_m = range.y;
+  camera.depth_bits = json.whole_or("BitDepthDepth", {1.0, 32.0}, camera.depth_bits);
   return camera;
 }
 
@@ -99,7 +102,7 @@ std::string miv_cameras_text(const std::vector<MivCamera>& cameras, const std::s
                     {"Focal", {c.focal_px.x, c.focal_px.y}},
                     {"Principle_point", {c.principal_point_px.x, c.principal_point_px.y}},
                     {"BitDepthColor", 10},
-                    {"BitDepthDepth", 16},
+                    {"BitDepthDepth", c.depth_bits},
                     {"ColorSpace", "YUV420"},
                     {"DepthColorSpace", "YUV420"}});
   }
@@ -143,7 +146,11 @@ std::vector<MivCamera> miv_cameras(const ViewCameras& cameras, Vec2i view_size, 
   std::vector<MivCamera> all;
   for (std::size_t view = 0; view < cameras.eyes_mm.size(); ++view) {
     const Vec2d eye = cameras.eyes_mm[view], straight_ahead = eye / cameras.pixel_mm * Vec2d(1.0, -1.0);
-    MivCamera camera{names[view], {0.0, -1e-3 * eye.x, 1e-3 * eye.y}, {}, near_m, far_m, view_size, {}, {}};
+    MivCamera camera;
+    camera.name = names[view];
+    camera.position_m[1] = -1e-3 * eye.x, camera.position_m[2] = 1e-3 * eye.y;
+    camera.near_m = near_m, camera.far_m = far_m;
+    camera.resolution = view_size;
     camera.focal_px = cameras.distance_mm / cameras.pixel_mm;
     camera.principal_point_px = cameras.centre_px + straight_ahead;
     all.push_back(camera);

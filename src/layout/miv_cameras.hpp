@@ -18,6 +18,7 @@ struct MivCamera {
   std::string name;  ///< the view's picture, without extension
   double position_m[3] = {0.0, 0.0, 0.0}, rotation_deg[3] = {0.0, 0.0, 0.0};
   double near_m = 0.1, far_m = 100.0;
+  int depth_bits = 16;  ///< of the codes in the depth map
   Vec2i resolution{0, 0};
   Vec2d focal_px{0.0}, principal_point_px{0.0};
 };

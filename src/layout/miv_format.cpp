@@ -59,6 +59,11 @@ void read_depth(const fs::path& folder, const std::vector<MivCamera>& cameras, c
   std::vector<fs::path> maps;
   for (const MivCamera& camera : cameras) maps.push_back(folder / (camera.name + kDepthEnding));
   if (!has_all_depth_maps(maps, field, options)) return;
+  for (const MivCamera& camera : cameras)
+    if (camera.depth_bits != 16)
+      throw Error((folder / "cameras.json").string(),
+                  fmt::format("the BitDepthDepth of camera {} is {}", camera.name, camera.depth_bits),
+                  "16, with codes from 1 to 65535 in its depth map");
   field.depth = Image(field.view_size.x, field.view_size.y * field.grid.count(), 1);
   const double distance_mm = field.cameras ? field.cameras->distance_mm : 0.0;
   for (std::size_t view = 0; view < cameras.size(); ++view)
