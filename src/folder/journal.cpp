@@ -82,10 +82,20 @@ void add_frames(const std::vector<int>& more, std::vector<int>& frames) {
 
 /// Returns whether the file describes all frames together, such as the job, the report, or the cameras of a data set.
 bool is_document(const std::string& name) {
-  static const std::set<std::string_view> documents{
-      "job.toml",         "report.json", "transforms.json",      "transforms_train.json", "transforms_test.json",
-      "poses_bounds.npy", "test.txt",    "sparse/0/cameras.txt", "sparse/0/images.txt",   "sparse/0/points3D.txt",
-      "sparse/0/test.txt"};
+  static const std::set<std::string_view> documents{"job.toml",
+                                                    "report.json",
+                                                    "transforms.json",
+                                                    "transforms_train.json",
+                                                    "transforms_test.json",
+                                                    "poses_bounds.npy",
+                                                    "test.txt",
+                                                    "sparse/0/cameras.txt",
+                                                    "sparse/0/images.txt",
+                                                    "sparse/0/points3D.txt",
+                                                    "sparse/0/test.txt",
+                                                    "sparse/0/cameras.bin",
+                                                    "sparse/0/images.bin",
+                                                    "sparse/0/points3D.bin"};
   return documents.contains(name);
 }
 

@@ -32,6 +32,7 @@ struct PictureParams {
   std::optional<PictureLayout> layout;  ///< nullopt: the native layout of the optics
   /// Light-field format that replaces the layout; may be empty.
   std::string to;
+  bool binary = false;  ///< only for `to` colmap: writes binary files instead of text
   /// Only for kIntegral: rotates elemental images by 180 degrees, which inverts depth.
   bool pseudoscopic = false;
   /// Only for kPrint: exchanges left and right, for a print on the back of a sheet.

@@ -59,11 +59,17 @@ void write_colmap_set(const RenderSetup& setup, RenderFolder& folder) {
     for (PosedPicture& picture : pictures) picture.picture = fs::path(picture.picture).filename().string();
     return pictures;
   };
-  write("sparse/0/cameras.txt", [](const auto& pictures) { return colmap_cameras_text(pictures); });
-  write("sparse/0/images.txt", [&](const auto& pictures) { return colmap_images_text(named(pictures)); });
+  const auto cloud = [&](const auto& pictures) { return cloud_of_pictures(folder.path(), pictures, kMostPoints); };
+  if (setup.job.output().pictures.binary) {
+    write("sparse/0/cameras.bin", [](const auto& pictures) { return colmap_cameras_binary(pictures); });
+    write("sparse/0/images.bin", [&](const auto& pictures) { return colmap_images_binary(named(pictures)); });
+    write("sparse/0/points3D.bin", [&](const auto& pictures) { return colmap_points_binary(cloud(pictures)); });
+  } else {
+    write("sparse/0/cameras.txt", [](const auto& pictures) { return colmap_cameras_text(pictures); });
+    write("sparse/0/images.txt", [&](const auto& pictures) { return colmap_images_text(named(pictures)); });
+    write("sparse/0/points3D.txt", [&](const auto& pictures) { return colmap_points_text(cloud(pictures)); });
+  }
   write("sparse/0/test.txt", [](const auto& pictures) { return held_out_names(pictures); });
-  write("sparse/0/points3D.txt",
-        [&](const auto& pictures) { return colmap_points_text(cloud_of_pictures(folder.path(), pictures, kMostPoints)); });
 }
 
 void write_llff_set(const RenderSetup& setup, RenderFolder& folder) {

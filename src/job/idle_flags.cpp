@@ -41,6 +41,8 @@ bool makes_exr(const RenderParams& params) {
   return params.output.pictures.format == PictureFormat::kExr && params.output.pictures.layout != PictureLayout::kPrint;
 }
 
+bool writes_colmap(const RenderParams& params) { return params.output.pictures.to == "colmap"; }
+
 bool makes_codes(const RenderParams& params) { return !makes_exr(params) || makes_videos(params); }
 
 bool is_file(const RenderParams& params) { return !is_builtin_scene(params.scene.name); }
@@ -106,6 +108,7 @@ constexpr std::array kEffects{
     Effect{"no-z-buffer", interpolates, kNotInterpolated, kInterpolateToo},
     Effect{"stereo", wants_stereo, "on pictures other than stereo", "--layout stereo"},
     Effect{"right-first", wants_stereo, "on pictures other than stereo", "--layout stereo"},
+    Effect{"binary", writes_colmap, "on formats other than colmap", "--to colmap"},
     Effect{"exr-pixels", makes_exr, "on pictures other than EXR", "--format exr"},
     Effect{"video-codec", makes_videos, "without a video", "--video FILE"},
     Effect{"crf", makes_lossy_videos, "without a video in a lossy format", "--video FILE that ends in .mp4, .mov or .webm"},

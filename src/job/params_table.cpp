@@ -622,6 +622,8 @@ std::vector<ParamInfo> file_rows() {
            "or rgbd (a view and its depth); default: the native layout of the optics"}),
       row(ParamKind::kText, &P::output, &OutputParams::pictures, &PictureParams::to, light_field_name(),
           {"to", "Files", "FORMAT", to_doc}),
+      row(ParamKind::kFlag, &P::output, &OutputParams::pictures, &PictureParams::binary, flag(),
+          {"binary", "Files", "", "With --to colmap: write binary files in place of text"}),
       row(ParamKind::kFlag, &P::output, &OutputParams::pictures, &PictureParams::pseudoscopic, flag(),
           {"pseudoscopic", "Files", "",
            "With --layout integral: rotate every elemental image by 180 degrees, as a real lens array records it; inverts "

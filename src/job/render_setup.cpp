@@ -100,6 +100,7 @@ RenderSetup::RenderSetup(const ResolvedJob& wanted, const RunParams& wanted_run,
   plan_memory_of(*this, context);
   crosstalk = crosstalk_to_undo(job.params(), optics(), stage.display.get());
   if (layout.is_rgbd()) writing = rgbd_options(job.output().pictures.depth, stage, pool);
+  writing.binary = job.output().pictures.binary;
   fingerprint = job_fingerprint(job, stage.scene, stage.display.get());
   if (!run.is_part()) videos = job_videos(job, layout, job.frames_per_second(stage.scene.timeline));
   choose_folder(*this);

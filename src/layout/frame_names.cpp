@@ -20,14 +20,16 @@ namespace fs = std::filesystem;
 /// Matches the names of files of one frame, relative to the render's folder. Such a file may be
 ///   - a picture or layer named by its frame, beside those of other frames;
 ///   - in the folder images or depth of a data set in which every view is a frame;
-///   - in the folder of its frame, for formats with several files (views, HCI, Stanford, JPEG Pleno, MIV, NeRF, COLMAP, LLFF).
+///   - in the folder of its frame, for formats with several files (views, HCI, Stanford, JPEG Pleno, MIV, NeRF, COLMAP, LLFF,
+///     cvkit, Lytro).
 constexpr const char* kFrameFiles =
     R"((?:images/([0-9]{3,6})\.(?:png|exr)|depth/([0-9]{3,6})(?:_ray)?\.npy)|)"
     R"((?:frame|aov)_([0-9]{1,9})(?:_qs[0-9xa.e+-]+|_(?:half_)?(?:2x1|ou)(?:_rl)?|_rows(?:_rl)?|_2x2|_rgbd)?\.(?:png|tif|exr)(?:\.json)?)"
     R"(|frame_([0-9]{1,9})/(?:(?:view|aov)_[0-9]{1,9}\.(?:png|tif|exr)|parameters\.cfg|cameras\.json|input_Cam[0-9]{1,6}\.(?:png|exr))"
     R"(|gt_(?:depth|disp)_lowres(?:_Cam[0-9]{1,6})?\.pfm|out_[0-9]{1,5}_[0-9]{1,5}(?:_[0-9.+-]{1,40})*\.(?:png|exr))"
-    R"(|[0-9]{1,4}_[0-9]{1,4}\.ppm|view_[0-9]{1,6}_depth\.png|images/[0-9]{3,6}\.(?:png|exr)|depth/[0-9]{3,6}(?:_ray)?\.npy|transforms\.json)"
-    R"(|poses_bounds\.npy|sparse/0/(?:cameras|images|points3D)\.txt)|strip_([0-9]{1,9})_[0-9]{1,9}\.exr)";
+    R"(|[0-9]{1,4}_[0-9]{1,4}\.ppm|view_[0-9]{1,6}_(?:depth\.png|disp\.pfm|param\.txt)|SAI_[0-9]{1,4}_[0-9]{1,4}\.(?:png|exr))"
+    R"(|images/[0-9]{3,6}\.(?:png|exr)|depth/[0-9]{3,6}(?:_ray)?\.npy|transforms\.json)"
+    R"(|poses_bounds\.npy|sparse/0/(?:cameras|images|points3D)\.(?:txt|bin))|strip_([0-9]{1,9})_[0-9]{1,9}\.exr)";
 
 std::vector<fs::path> frames_in(const fs::path& folder, bool are_folders) {
   require_recorded_frames(folder);

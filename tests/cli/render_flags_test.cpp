@@ -20,6 +20,7 @@ const std::map<std::string, std::string>& values() {
   static const std::map<std::string, std::string> all{{"--animation", "0"},
                                                       {"--aperture", "4"},
                                                       {"--asset-root", "."},
+                                                      {"--binary", ""},
                                                       {"--camera", "0"},
                                                       {"--camera-grid", ""},
                                                       {"--camera-path", "none.cam"},

@@ -83,6 +83,24 @@ TEST_F(CameraSetRenders, units_give_the_files_of_one_run) {
   }
 }
 
+TEST_F(CameraSetRenders, binary_colmap_holds_the_same_cameras_as_text) {
+  render(set("text", "colmap"));
+  render(set("binary", "colmap", {{"binary", "true"}}));
+  EXPECT_FALSE(exists("binary/sparse/0/cameras.txt"));
+  EXPECT_TRUE(check("binary").passed());
+  const LightField text = open_light_field(dir_ / "text", "colmap", {}).field;
+  const LightField binary = open_light_field(dir_ / "binary", "colmap", {}).field;
+  ASSERT_EQ(binary.poses->size(), 8u);
+  for (std::size_t view = 0; view < 8; ++view) {
+    EXPECT_EQ((*binary.poses)[view].position_mm, (*text.poses)[view].position_mm);
+    EXPECT_EQ((*binary.poses)[view].rotation, (*text.poses)[view].rotation);
+    EXPECT_EQ((*binary.poses)[view].focal_px, (*text.poses)[view].focal_px);
+  }
+  EXPECT_EQ(binary.splits, text.splits);
+  EXPECT_FALSE(binary.points.empty());
+  EXPECT_EQ(binary.points.size(), text.points.size());
+}
+
 TEST_F(CameraSetRenders, damaged_pictures_are_rendered_again) {
   const RenderParams params = set("set", "nerf");
   render(params);

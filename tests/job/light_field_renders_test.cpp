@@ -15,6 +15,8 @@
 #include "job/report.hpp"
 #include "lippmann/core/version.hpp"
 #include "lippmann/display/load_display.hpp"
+#include "lippmann/layout/formats.hpp"
+#include "lippmann/layout/open_light_field.hpp"
 #include "replay/replay.hpp"
 
 namespace lippmann::test {
@@ -29,7 +31,7 @@ const Settings kGrid{{"optics", "multiview"}, {"camera-grid", "true"}, {"views",
 TEST_F(LightFieldRenders, formats_equal_conversion_of_the_render) {
   render(job("teapot", "film", kGrid + Settings{{"aov", "depth"}}));
   for (const std::string format :
-       {"hci", "stanford", "jpeg-pleno", "miv", "nerf", "colmap", "eslf", "views", "integral", "quilt"}) {
+       {"hci", "stanford", "jpeg-pleno", "miv", "nerf", "colmap", "eslf", "views", "integral", "quilt", "cvkit", "lytro"}) {
     convert("film", "converted-" + format, format);
     render(job("teapot", format, kGrid + Settings{{"to", format}}));
     const Files converted = pictures_below(dir_ / ("converted-" + format));
@@ -41,6 +43,17 @@ TEST_F(LightFieldRenders, formats_equal_conversion_of_the_render) {
     const LightFieldHints hints{.from = format};
     EXPECT_EQ(replay({.in = dir_ / format, .field = hints, .folder = dir_ / "eye"}, context_).written.size(), 2u) << format;
   }
+}
+
+TEST_F(LightFieldRenders, binary_colmap_equals_conversion) {
+  render(job("teapot", "film", kGrid + Settings{{"aov", "depth"}}));
+  const LightFieldFormat& colmap = find_format("colmap", "to");
+  colmap.write(open_light_field(dir_ / "film/frame_0001.png", "", {.with_depth = true}).field, dir_ / "converted",
+               {.binary = true});
+  render(job("teapot", "made", kGrid + Settings{{"to", "colmap"}, {"binary", "true"}}));
+  for (const char* name : {"cameras.bin", "images.bin", "points3D.bin"})
+    EXPECT_EQ(bytes(std::string("made/frame_0001/sparse/0/") + name), bytes(std::string("converted/sparse/0/") + name)) << name;
+  EXPECT_FALSE(exists("made/frame_0001/sparse/0/cameras.txt"));
 }
 
 TEST_F(LightFieldRenders, formats_keep_light_and_16_bits) {

@@ -32,6 +32,7 @@ const std::map<std::string_view, Values> kOtherValues{
     {"stereo", {"half-over-under"}},
     {"right-first", {"true"}},
     {"depth-range", {"12.5:-40"}},
+    {"binary", {"true"}},
     {"depth-coding", {"depth"}},
     {"near-black", {"true"}},
     {"fit-to", {"Group"}},
