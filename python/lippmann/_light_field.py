@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from . import _core, _notebook
 from ._arguments import array, choice, file_path, integer, number, pair, path as _path, positive, vector
-from ._errors import Error, Naming, Reading, known, warn_of_ignored
+from ._errors import Error, Naming, Reading, known, warn, warn_of_ignored
 from ._optics import Display, Optics, display_of
 from ._options import LensArrangement, Sampling, Tone
 
@@ -66,6 +66,7 @@ class LightField:
         depth is z in the frame of each camera, below 0.
     distance_mm, baseline_mm, pixel_mm: the cameras, as in lippmann.camera_grid. Give all three or none.
     world_from_camera, intrinsics_px: instead, cameras of any pose, as in the attributes of these names. Give both or none.
+    split: (rows, columns) of "train", "validation" or "test", as in the attribute of this name.
 
     `field[r, c]` is a view (y, x, 3). `field[r]` is a row of views. `len(field)` is the number of rows. np.asarray(field) is `views`.
     Attributes that are unknown, such as the depth of a light field without depth, raise an Error that is also an AttributeError.
@@ -84,6 +85,7 @@ class LightField:
         pixel_mm: Optional[float] = None,
         world_from_camera: Any = None,
         intrinsics_px: Any = None,
+        split: Any = None,
     ) -> None:
         samples = np.asarray(views)
         if samples.dtype not in (np.uint8, np.uint16):
@@ -106,6 +108,8 @@ class LightField:
             own.set_cameras(distance, (baseline, baseline), pixel)
         if has_poses:
             _set_poses(own, world_from_camera, intrinsics_px, (rows, columns))
+        if split is not None:
+            _set_splits(own, split, (rows, columns))
 
     def _start(
         self,
@@ -337,6 +341,18 @@ class LightField:
 
     @property
     @known
+    def split(self) -> NDArray[Any]:
+        """(rows, columns), str: the part of a data set that each view belongs to: "train", "validation" or "test".
+
+        The formats nerf, colmap and llff store it. colmap and llff do not distinguish "validation" from "test".
+        """
+        names = self._views.splits
+        if names is None:
+            raise Error("split", "is not known", "a data set with a split, or LightField(views, split=)")
+        return np.array(names).reshape(self.shape[:2])
+
+    @property
+    @known
     def units_per_mm(self) -> float:
         """Scene units per mm of the display."""
         if self._placement is None:
@@ -372,6 +388,14 @@ class LightField:
             self._shown = self._views.panel(self._optics, None) if self._film is None else self._film.panel()
         return self._shown
 
+    def _panel_of_eyes(self) -> _core.Panel:
+        """Returns the panel for a picture that depends on the positions of the cameras. Warns if other cameras are assumed."""
+        if self._film is None and self._optics is None:
+            text = self._views.assumption_about_poses(self.path or "this light field")
+            if text:
+                warn(text)
+        return self._panel()
+
     def refocus(
         self, z_mm: float = 0.0, size: Optional[Tuple[int, int]] = None, *, disparity: Optional[float] = None
     ) -> NDArray[Any]:
@@ -381,9 +405,10 @@ class LightField:
         disparity: focuses on points with this disparity in pixels, as in the attribute `disparity`, instead of z_mm.
 
         If the positions of the cameras are unknown, they are assumed as in `lippmann replay`. The picture for a disparity is the same for
-        any such positions.
+        any such positions. For cameras that do not share a plane and a window, a LippmannWarning states the assumption; so it does in
+        `eye` and `epi`.
         """
-        depth, shape, panel = number(z_mm, "z_mm"), self._size(size), self._panel()
+        depth, shape, panel = number(z_mm, "z_mm"), self._size(size), self._panel_of_eyes()
         with Naming():
             if disparity is not None:
                 if depth != 0.0:
@@ -413,7 +438,7 @@ class LightField:
             panel, or in views for quilts, such as display.crosstalk_px of a native frame; or the share of light of each neighbour,
             such as "10%".
         """
-        panel = self._panel()
+        panel = self._panel_of_eyes()
         eye = tuple(
             float(at) if given is None else number(given, name, -_FAR_MM, _FAR_MM)
             for given, at, name in zip((x, y, z), panel.optics.default_eye_mm, "xyz")
@@ -434,7 +459,7 @@ class LightField:
         """
         if (row is None) == (column is None):
             raise Error("row", "and column are both given, or neither", "one of the two")
-        panel = self._panel()
+        panel = self._panel_of_eyes()
         of_row = row is not None
         line = integer(row, "row", 0, _SIZE) if of_row else integer(column, "column", 0, _SIZE)
         with Naming(**{"epi": "row", "epi-column": "column"}):
@@ -452,6 +477,8 @@ class LightField:
         bits: Optional[int] = None,
         tiles: Optional[Tuple[int, int]] = None,
         display: Any = None,
+        binary: bool = False,
+        png: bool = False,
         exposure: float = 0.0,
         tone: Tone = "none",
         precompensate: bool = False,
@@ -464,6 +491,8 @@ class LightField:
         bits: bits per sample of float views: 8, 16, or 32 (linear floats, .exr). None: 32 for .exr, else 8.
         tiles: (rows, columns) of a quilt. The file beside the quilt keeps the grid of the views.
         display: a name or a file, for the format "native".
+        binary: True writes binary files in place of text, for the format "colmap".
+        png: True writes PNG in place of PPM files, for the format "jpeg-pleno".
         exposure: multiplies linear light by 2 ** exposure before it becomes codes. .exr files stay linear.
         tone: curve for light brighter than white: "none" (clipped), "neutral" (keeps hues) or "agx" (as film does).
         precompensate: True sharpens the panel's picture (format=None) in advance, to cancel the crosstalk of the display's lenses.
@@ -480,7 +509,7 @@ class LightField:
         if format is None:
             if bits is not None:
                 warn_of_ignored("bits", "without `format` the file extension decides")
-            _warn_of_strays(tiling, panel, "")
+            _warn_of_strays(tiling, panel, "", binary, png)
             if where.endswith(".exr"):
                 toned = _tone_of_linear(exposure, tone)
             sigma = self._crosstalk_to_undo(precompensate, crosstalk)
@@ -505,9 +534,11 @@ class LightField:
         elif not toned.is_identity:
             raise Error(_given_tone(exposure), "cannot be chosen for sRGB codes", "light fields of linear light")
         name = choice(format, "format", list(formats()))
-        _warn_of_strays(tiling, panel, name)
+        _warn_of_strays(tiling, panel, name, binary, png)
+        options = _core.FormatOptions(None, tiling, panel)
+        options.binary, options.png = bool(binary), bool(png)
         with _folder_of(where), Naming(where, views="format"):
-            return [os.fspath(file) for file in views.save(where, name, _core.FormatOptions(None, tiling, panel))]
+            return [os.fspath(file) for file in views.save(where, name, options)]
 
     def _crosstalk_to_undo(self, precompensate: bool, crosstalk: Union[float, str, None]) -> Optional[float]:
         if not precompensate:
@@ -583,9 +614,14 @@ def _make(folder: str) -> None:
         raise Error(folder, f"cannot be created: {error.strerror}", "a folder that can be written to") from None
 
 
-def _warn_of_strays(tiles: Any, display: Any, format: str) -> None:
-    for argument, value, of in (("tiles", tiles, "quilt"), ("display", display, "native")):
-        if value is not None and format != of:
+def _warn_of_strays(tiles: Any, display: Any, format: str, binary: bool = False, png: bool = False) -> None:
+    for argument, is_given, of in (
+        ("tiles", tiles is not None, "quilt"),
+        ("display", display is not None, "native"),
+        ("binary", binary, "colmap"),
+        ("png", png, "jpeg-pleno"),
+    ):
+        if is_given and format != of:
             warn_of_ignored(argument, f"only the format {of!r} uses it")
 
 
@@ -612,6 +648,15 @@ def _set_poses(views: _core.Views, world_from_camera: Any, intrinsics_px: Any, g
     if not np.allclose(matrices[..., 3, :], (0, 0, 0, 1), rtol=0, atol=1e-6):
         raise Error("world_from_camera", "has a last row other than (0, 0, 0, 1)", "a rotation and a position for each camera")
     views.set_poses(matrices.reshape(-1, 4, 4), lengths.reshape(-1, 4))
+
+
+def _set_splits(views: _core.Views, split: Any, grid: Tuple[int, int]) -> None:
+    names = np.asarray(split)
+    if names.shape != grid or names.dtype.kind != "U":
+        raise Error("split", f"has the type {names.dtype} and the shape {names.shape}", f"names of the shape {grid}")
+    for name in np.unique(names):
+        choice(str(name), "split", _core.split_names)
+    views.set_splits([str(name) for name in names.flat])
 
 
 def _all_or_none(arguments: Dict[str, Any]) -> bool:

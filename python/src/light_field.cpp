@@ -146,6 +146,31 @@ void set_poses(LightField& field, const Array<double>& world_from_camera, const 
   field.poses = std::move(cameras);
 }
 
+/// Names of Split, in its order.
+constexpr std::array kSplitNames{"train", "validation", "test"};
+
+/// Returns the name of each view's split, or None if the file has no split.
+py::object splits_of(const LightField& field) {
+  if (!field.splits) return py::none();
+  py::list names;
+  for (const Split split : *field.splits) names.append(kSplitNames[static_cast<std::size_t>(split)]);
+  return names;
+}
+
+/// Requires one of kSplitNames for each view.
+void set_splits(LightField& field, const std::vector<std::string>& names) {
+  field.splits.emplace();
+  for (const std::string& name : names)
+    field.splits->push_back(static_cast<Split>(std::find(kSplitNames.begin(), kSplitNames.end(), name) - kSplitNames.begin()));
+}
+
+/// Returns a sentence on the optics that panel_of_field() assumes for cameras that do not share a plane and a window, or an
+/// empty text for other cameras.
+std::string assumption_about_poses(const LightField& field, const std::string& where) {
+  if (!field.poses || field.grid.count() == 1) return {};
+  return describe_assumed_optics(field, assumed_optics(field, std::nullopt), std::nullopt, where) + ".";
+}
+
 /// Converts the views from linear floats to codes of 8 or 16 bits.
 SharedField with_codes(const LightField& field, int bits, const Tone& tone) {
   auto copy = std::make_shared<LightField>(field);
@@ -288,6 +313,7 @@ Tone tone_named(float exposure_ev, const std::string& curve) {
 
 void bind_options(py::module_& module) {
   py::class_<Tone>(module, "Tone").def(py::init(&tone_named)).def_property_readonly("is_identity", &Tone::is_identity);
+  module.attr("split_names") = py::tuple(py::cast(std::vector<std::string>(kSplitNames.begin(), kSplitNames.end())));
   module.attr("tone_names") = py::tuple(py::cast(std::vector<std::string>(kToneNames.begin(), kToneNames.end())));
   py::class_<PlenopticSettings>(module, "PlenopticSettings")
       .def(py::init())
@@ -304,6 +330,8 @@ void bind_options(py::module_& module) {
       .def_readwrite("inverted", &PlenopticSettings::inverted);
   py::class_<FormatOptions>(module, "FormatOptions")
       .def(py::init(&format_options))
+      .def_readwrite("binary", &FormatOptions::binary)
+      .def_readwrite("png", &FormatOptions::png)
       .def("set_cameras", &set_stated_cameras)
       .def("set_plenoptic", &set_plenoptic);
 }
@@ -317,10 +345,13 @@ void bind_light_field(py::module_& module) {
       .def(pickled<LightField>())
       .def("set_cameras", &set_cameras)
       .def("set_poses", &set_poses)
+      .def("set_splits", &set_splits)
+      .def("assumption_about_poses", &assumption_about_poses)
       .def_property_readonly("views", &views_array)
       .def_property_readonly("depth", &depth_of_views)
       .def_property_readonly("cameras", &cameras_of)
       .def_property_readonly("poses", &poses_of)
+      .def_property_readonly("splits", &splits_of)
       .def_property_readonly("aspect", [](const LightField& f) { return f.aspect; })
       .def("with_codes", &with_codes)
       .def("save", &save)

@@ -149,19 +149,6 @@ Optics quilt_for(Display display, const LightField& field, const LightFieldHints
   return with_cone_ends(*quilt_optics(display), hints.cone_ends);
 }
 
-/// Returns a sentence for the user on views whose cameras are unknown or rotated.
-std::string assumption_about(const fs::path& file, bool are_turned, const Optics& optics, const LightFieldHints& hints) {
-  std::string text =
-      fmt::format("The cameras of {} are {}. Assumed: a display {:.4g} mm high, seen from {:.4g} mm", file.string(),
-                  are_turned ? "turned, each by itself" : "unknown", kWindowHeightMm, kDistanceMm);
-  if (const std::string spacing = view_spacing(optics); !spacing.empty())
-    text += ", and " + spacing;
-  else if (!hints.view_angle_deg)
-    text += fmt::format(", and views over {:.4g} degrees", kGridAngleDeg);
-  if (!hints.view_angle_deg) text += "; `view-angle` sets the angle";
-  return text + ".";
-}
-
 /// For a light field without a report, sets the optics, the assumptions and the function that reads a frame.
 LightFieldFrames of_format(LightFieldFrames frames, const LightFieldSource& source, const LightFieldHints& hints) {
   const fs::path& first = frames.files.front();
@@ -179,7 +166,8 @@ LightFieldFrames of_format(LightFieldFrames frames, const LightFieldSource& sour
           "The cameras of {} do not share a plane and a window. Their views are shown in order, from left to right.",
           first.string()));
     frames.optics = assumed_optics(field, hints.view_angle_deg, hints.cone_ends);
-    frames.assumption = assumption_about(first, field.poses.has_value(), frames.optics, hints);
+    frames.assumption = describe_assumed_optics(field, frames.optics, hints.view_angle_deg, first.string());
+    frames.assumption += hints.view_angle_deg ? "." : "; `view-angle` sets the angle.";
   }
   return rearranged(std::move(frames), hints.from, source.options);
 }
@@ -252,6 +240,18 @@ Optics assumed_optics(const LightField& field, std::optional<double> view_angle_
   optics.model = assumed_views(field, view_angle_deg, cone_ends);
   validate(optics);
   return optics;
+}
+
+std::string describe_assumed_optics(const LightField& field, const Optics& optics, std::optional<double> view_angle_deg,
+                                    const std::string& where) {
+  std::string text =
+      fmt::format("The cameras of {} {}. Assumed: a display {:.4g} mm high, seen from {:.4g} mm", where,
+                  field.poses ? "do not share a plane and a window" : "are unknown", kWindowHeightMm, kDistanceMm);
+  if (const std::string spacing = view_spacing(optics); !spacing.empty())
+    text += ", and " + spacing;
+  else if (!view_angle_deg)
+    text += fmt::format(", and views over {:.4g} degrees", kGridAngleDeg);
+  return text;
 }
 
 LightFieldFrames find_light_field_frames(const fs::path& in, const LightFieldHints& hints) {

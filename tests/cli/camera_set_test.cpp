@@ -96,7 +96,7 @@ TEST_F(CameraSets, info_and_view_describe_the_cameras) {
     EXPECT_EQ(info["views"], nlohmann::json({3, 1}));
     const RunResult saved = run_tool(dir_, {"view", to, "--save", std::string(to) + ".html"});
     EXPECT_EQ(saved.exit_code, 0) << saved.err;
-    EXPECT_THAT(saved.err, HasSubstr("are turned, each by itself"));
+    EXPECT_THAT(saved.err, HasSubstr("do not share a plane and a window"));
     EXPECT_TRUE(fs::exists(dir_ / (std::string(to) + ".html")));
   }
 }

@@ -3,11 +3,13 @@
 import copy
 import json
 import pickle
+import subprocess
+import warnings
 
 import numpy as np
 
 import lippmann
-from support import Case, small_grid, tool
+from support import TOOL, Case, small_grid, tool
 
 SIZE = (24, 32)
 
@@ -155,3 +157,84 @@ class CameraSets(Case):
         self.assertWrong("display", lippmann.frames, "teapot", small_grid(), cameras="sphere:3")
         self.assertWrong("display", lippmann.frames, "teapot", "portrait", cameras="sphere:3")
         self.assertWrong("frame", lippmann.render, "teapot", cameras="sphere:3", frame=3)
+
+
+class UnsharedPlanes(Case):
+    def test_eye_views_warn_of_the_assumption(self):
+        """Refocusing and eye views need cameras in one plane. They state the assumed cameras, as `lippmann replay` does."""
+        field, _, _ = posed_field(depth=False)
+        field.save(self.folder / "nerf", "nerf")
+        done = subprocess.run([TOOL, "replay", self.folder / "nerf", "-o", self.folder / "eye"], capture_output=True, text=True)
+        again = lippmann.open(self.folder / "nerf")
+        sentence = "do not share a plane and a window. Assumed: a display 100 mm high, seen from 300 mm, and 4 views 10 degrees apart"
+        self.assertIn(f"The cameras of {self.folder / 'nerf'} {sentence}", done.stderr)
+        for one, where in ((again, str(self.folder / "nerf")), (field, "this light field")):
+            for picture in (lambda: one.refocus(1), one.eye, lambda: one.refocus(disparity=1), lambda: one.epi(row=3)):
+                with self.assertWarns(lippmann.LippmannWarning) as caught:
+                    picture()
+                self.assertIn(f"The cameras of {where} {sentence}", str(caught.warning))
+
+    def test_cameras_of_one_plane_do_not_warn(self):
+        known = lippmann.LightField(np.zeros((1, 2, *SIZE, 3), np.uint8), distance_mm=500, baseline_mm=5, pixel_mm=1)
+        (single,) = lippmann.frames("teapot", lippmann.single_view(SIZE), cameras="circle:3", spp=1)[:1]
+        posed = posed_field(count=1, depth=False)[0]
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            for field in (known, single, posed):
+                field.refocus(1)
+                field.eye()
+                self.assertEqual(field.picture.ndim, 3)
+            self.assertEqual(posed_field(depth=False)[0].picture.shape[2], 3)  # a quilt needs no cameras
+
+
+class Splits(Case):
+    def test_arrays_give_a_split_that_files_keep(self):
+        field, matrices, intrinsics = posed_field(depth=False)
+        split = np.array([["train", "test", "validation", "train"]])
+        parts = lippmann.LightField(field.views, world_from_camera=matrices, intrinsics_px=intrinsics, split=split)
+        for one in (parts, copy.deepcopy(parts), pickle.loads(pickle.dumps(parts))):
+            np.testing.assert_array_equal(one.split, split)
+        held_out = np.where(split == "train", "train", "test")  # colmap and llff only list the pictures held out
+        for name, kept in (("nerf", split), ("colmap", held_out), ("llff", held_out)):
+            with self.subTest(name):
+                parts.save(self.folder / name, name)
+                np.testing.assert_array_equal(lippmann.open(self.folder / name).split, kept)
+        names = json.loads((self.folder / "nerf/transforms_test.json").read_text())["frames"]
+        self.assertEqual([frame["file_path"] for frame in names], ["images/001.png"])
+
+    def test_the_tools_split_is_read(self):
+        tool("render", "teapot", "--cameras", "circle:8", "--size", "16x12", "--spp", "1", "--to", "colmap", "-o", self.folder / "set", "-q")
+        split = lippmann.open(self.folder / "set").split
+        tests = lippmann.frames("teapot", lippmann.single_view(SIZE), cameras="circle:8").test_frames
+        self.assertEqual(tuple(np.flatnonzero(split[0] == "test")), tests)
+        self.assertEqual((split == "train").sum(), 8 - len(tests))
+
+    def test_missing_and_wrong_splits_are_named(self):
+        field, matrices, intrinsics = posed_field(depth=False)
+        self.assertFalse(hasattr(field, "split"))
+        def made(split):
+            return lippmann.LightField(field.views, world_from_camera=matrices, intrinsics_px=intrinsics, split=split)
+
+        self.assertIn("train, validation, test", self.assertWrong("split", made, [["train", "test", "dev", "train"]]).accepted)
+        self.assertWrong("split", made, ["train", "test", "test", "train"])
+        self.assertWrong("split", made, [[0, 1, 1, 0]])
+
+
+class SaveOptions(Case):
+    def test_binary_and_png_equal_the_tools_files(self):
+        field, _, _ = posed_field(depth=False)
+        field.save(self.folder / "nerf", "nerf")
+        tool("convert", self.folder / "nerf", self.folder / "tool", "--to", "colmap", "--binary")
+        files = lippmann.open(self.folder / "nerf").save(self.folder / "own", "colmap", binary=True)
+        for name in ("cameras.bin", "images.bin", "points3D.bin"):
+            self.assertIn(str(self.folder / "own/sparse/0" / name), files)
+            self.assertEqual((self.folder / "own/sparse/0" / name).read_bytes(), (self.folder / "tool/sparse/0" / name).read_bytes())
+        files = field.save(self.folder / "pleno", "jpeg-pleno", png=True)
+        self.assertEqual({file[-4:] for file in files}, {".png"})
+        self.assertSame(lippmann.open(self.folder / "pleno", format="jpeg-pleno").views, field.views)
+
+    def test_other_formats_ignore_them_with_a_warning(self):
+        field, _, _ = posed_field(depth=False)
+        for argument in ("binary", "png"):
+            with self.assertWarnsRegex(lippmann.LippmannWarning, argument):
+                field.save(self.folder / argument, "nerf", **{argument: True})

@@ -69,6 +69,10 @@ Optics optics_of_cameras(const LightField& field, const std::string& where);
 /// A grid of cameras spans 10 degrees across by default.
 Optics assumed_optics(const LightField& field, std::optional<double> view_angle_deg, bool cone_ends = false);
 
+/// Returns a sentence without its full stop on the optics that assumed_optics() returned for the views of `where`.
+std::string describe_assumed_optics(const LightField& field, const Optics& optics, std::optional<double> view_angle_deg,
+                                    const std::string& where);
+
 /// Returns the parameters of the cameras that assumed_optics() assumes.
 MultiView assumed_views(const LightField& field, std::optional<double> view_angle_deg, bool cone_ends = false);
 
