@@ -73,10 +73,17 @@ std::vector<fs::path> described_pictures_in(const fs::path& folder, const std::s
   return pictures;
 }
 
+/// Returns whether the picture was rendered for microlenses whose elemental images are not a whole number of pixels wide.
+bool has_fractional_lenses(const LightFieldSource& source) {
+  return source.rendering && !source.rendered && elemental_images(source.rendering->optics);
+}
+
 std::string format_of(const fs::path& path, const LightFieldSource& source) {
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) return format_of_folder(path).value_or("views");
   if (const std::optional<std::string> stated = format_by_name(path)) return *stated;
+  if (has_fractional_lenses(source) && (source.rendering->layout.empty() || source.rendering->layout == "integral"))
+    return "plenoptic";
   if (source.rendering && !source.rendering->layout.empty()) return source.rendering->layout;
   if (!fs::exists(path, ignored)) throw Error(path.string(), "there is no such file or folder");
   if (source.rendering && !source.rendered)
@@ -124,9 +131,12 @@ LightFieldSource light_field_source(const fs::path& path, const std::string& fro
   source.format = &find_format(from.empty() ? format_of(path, source) : from, "from");
   if (!matches_report(path, source, options)) source.rendering.reset(), source.rendered.reset();
   if (source.rendering && !source.rendering->has_depth_layer) source.options.with_depth = false;
-  if (source.rendering && sensor_lenses(source.rendering->optics)) {
+  if (source.rendering && (sensor_lenses(source.rendering->optics) || has_fractional_lenses(source))) {
     if (!source.options.plenoptic) source.options.plenoptic.emplace();
-    source.options.plenoptic->optics = source.rendering->optics;
+    PlenopticCalibration& calibration = *source.options.plenoptic;
+    calibration.optics = with_parallax(source.rendering->optics, source.rendering->depth_scale);
+    if (!calibration.grid && has_fractional_lenses(source))
+      calibration.grid = elemental_images(source.rendering->optics), calibration.inverted = true;
   }
   if (!source.rendered) return source;
   const ViewLayout& film = source.rendered->film;

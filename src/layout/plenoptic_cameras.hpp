@@ -7,10 +7,12 @@
 // with the focal length t. Its principal point lies at l = A (t/f - 1).
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "lippmann/layout/posed_camera.hpp"
 #include "lippmann/optics/optics.hpp"
+#include "lippmann/optics/view_cameras.hpp"
 
 namespace lippmann {
 
@@ -24,5 +26,10 @@ struct SampledLenses {
 /// offset of its pixels from the centres of the microlens images, right and down.
 std::vector<PosedCamera> plenoptic_cameras(const Optics& optics, const SampledLenses& lenses, Vec2i view_size,
                                            const std::vector<Vec2d>& offsets_px);
+
+/// Like plenoptic_cameras(), for elemental_images(). The rays of a view meet at its eye, at the viewing distance. Views of
+/// lenses that are viewed from infinity are parallel projections, so the function returns none.
+std::optional<ViewCameras> microlens_cameras(const Optics& optics, const SampledLenses& lenses,
+                                             const std::vector<Vec2d>& offsets_px);
 
 }  // namespace lippmann

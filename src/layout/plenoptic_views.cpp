@@ -224,11 +224,17 @@ Image swap_axes(const Image& image) {
 /// Sets the cameras and, if `z_mm` is not null, the depth.
 void add_cameras(const Optics& optics, const ViewSampler& sampler, const std::vector<Vec2d>& offsets, const Image* z_mm,
                  LightField& field) {
-  std::vector<PosedCamera> cameras = plenoptic_cameras(optics, sampler.lenses(), field.view_size, offsets);
-  const double lens_mm = cameras.front().position_mm.z;
-  field.cameras = shared_plane(cameras);
-  if (!field.cameras) field.poses = std::move(cameras);
-  if (!z_mm) return;
+  double lens_mm = 0.0;  // z of the plane that field.cameras are relative to, in the display frame
+  if (!sensor_lenses(optics)) {
+    field.cameras = microlens_cameras(optics, sampler.lenses(), offsets);
+    if (field.cameras) lens_mm = field.cameras->distance_mm;
+  } else {
+    std::vector<PosedCamera> cameras = plenoptic_cameras(optics, sampler.lenses(), field.view_size, offsets);
+    lens_mm = cameras.front().position_mm.z;
+    field.cameras = shared_plane(cameras);
+    if (!field.cameras) field.poses = std::move(cameras);
+  }
+  if (!z_mm || !(field.cameras || field.poses)) return;
   field.depth = Image(field.view_size.x, field.view_size.y * field.grid.count(), 1);
   const auto moved = static_cast<float>((field.cameras ? field.cameras->distance_mm : 0.0) - lens_mm);
   for (int view = 0; view < field.grid.count(); ++view) {

@@ -10,9 +10,11 @@
 #include <variant>
 
 #include "job/renders.hpp"
+#include "layout/posed_cameras.hpp"
 #include "lippmann/image/image.hpp"
 #include "lippmann/layout/formats.hpp"
 #include "lippmann/layout/light_field.hpp"
+#include "lippmann/layout/open_light_field.hpp"
 
 namespace lippmann::test {
 namespace {
@@ -27,8 +29,8 @@ constexpr std::array kCorners{Vec2d(8.5, 5.5), Vec2d(151.5, 5.5), Vec2d(8.5, 18.
 class LensPitchRenders : public Renders {
  protected:
   /// Renders white squares on black, and returns the picture of 160x24 lenses with a pitch of 1 mm. The squares are 3 lenses
-  /// wide and lie `behind_mm` behind the array. Rays through the middle of the elemental images are parallel.
-  std::filesystem::path render_squares(double behind_mm) {
+  /// wide and lie `behind_mm` behind the array. Rays through the middle of the elemental images meet at the viewing distance.
+  std::filesystem::path render_squares(double behind_mm, const std::string& viewing_distance = "inf") {
     std::ofstream scene(dir_ / "squares.nff");
     // The field of view makes the plane of the array 24 units high, so that a unit is a lens.
     scene << "v\nfrom 0 0 100\nat 0 0 0\nup 0 1 0\nangle " << 2.0 * degrees(std::atan(0.12))
@@ -41,12 +43,12 @@ class LensPitchRenders : public Renders {
         scene << centre.x + off.x << ' ' << centre.y + off.y << ' ' << -behind_mm << '\n';
     }
     scene.close();
-    const std::string folder = fmt::format("behind-{}", behind_mm);
+    const std::string folder = fmt::format("behind-{}-{}", behind_mm, viewing_distance);
     render(job((dir_ / "squares.nff").string(), folder,
                {{"optics", "microlens"},
                 {"lenses", "160x24"},
                 {"lens-pixels", "10.135"},
-                {"viewing-distance", "inf"},
+                {"viewing-distance", viewing_distance},
                 {"fit-depth", "false"},
                 {"frames", "0"},
                 {"spp", "1"}}));
@@ -94,6 +96,34 @@ TEST_F(LensPitchRenders, views_do_not_drift_from_corner_to_corner) {
         EXPECT_NEAR(found[i].x, expected.x, 0.5) << view << " corner " << i;
         EXPECT_NEAR(found[i].y, expected.y, 0.5) << view << " corner " << i;
       }
+    }
+  }
+}
+
+TEST_F(LensPitchRenders, report_states_the_lens_grid) {
+  const std::filesystem::path picture = render_squares(10.0);
+  const OpenedLightField opened = open_light_field(picture, "", {.views = ViewGrid{kViews, kViews}});
+  EXPECT_EQ(opened.format, "plenoptic");
+  const LightField stated = views_with_pitch(picture, kPitchPx);
+  ASSERT_EQ(opened.field.view_size, stated.view_size);
+  const auto& found = std::get<Image8>(opened.field.stack).rgb;
+  const auto& expected = std::get<Image8>(stated.stack).rgb;
+  for (std::size_t i = 0; i < found.size(); ++i) ASSERT_NEAR(found[i], expected[i], 2) << i;
+  EXPECT_FALSE(opened.field.cameras) << "parallel projections";
+}
+
+/// The plane of the array is 24 units high at 100 units from the scene's camera, so at 100 mm a unit is a millimetre.
+TEST_F(LensPitchRenders, report_states_the_cameras) {
+  const LightField field = open_light_field(render_squares(10.0, "100"), "", {.views = ViewGrid{kViews, kViews}}).field;
+  ASSERT_TRUE(field.cameras);
+  EXPECT_NEAR(field.cameras->distance_mm, 100.0, 1e-3);
+  const std::vector<PosedCamera> cameras = posed_cameras(field, "a");
+  for (int view = 0; view < field.grid.count(); ++view) {
+    const std::array<Vec2d, 4> found = squares_in(field, view);
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Vec3d centre(kCorners[i].x - 0.5 * kLenses.x, 0.5 * kLenses.y - kCorners[i].y, -10.0);
+      EXPECT_LT(glm::distance(found[i], projected(cameras[static_cast<std::size_t>(view)], centre)), 0.5)
+          << view << " corner " << i;
     }
   }
 }

@@ -38,6 +38,10 @@ LensGrid lens_grid(double pitch_px, double rotation, Vec2d offset_px, LensArrang
 /// Returns the lens grid of a plenoptic camera, or none for other optics.
 std::optional<LensGrid> lens_grid_of(const Optics& optics);
 
+/// Returns the grid of the elemental images on a panel behind microlenses, or none for other optics. The pixels of an elemental
+/// image are rotated by 180 degrees (PlenopticCalibration::inverted).
+std::optional<LensGrid> elemental_images(const Optics& optics);
+
 /// Returns the same lenses for a picture with x and y exchanged.
 LensGrid transposed(const LensGrid& grid);
 
