@@ -28,6 +28,7 @@
 #include <cstring>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -55,6 +56,13 @@ using namespace lippmann;
 
 void require(bool holds) {
   if (!holds) std::abort();
+}
+
+void views_side_file(const std::string& text) {
+  const std::optional<ViewsSideFile> side = parse_views_side_file(text, "a");
+  if (!side) return;
+  const std::string again = views_side_text(*side);
+  require(views_side_text(*parse_views_side_file(again, "a")) == again);
 }
 
 void hci(const std::string& text) {
@@ -229,8 +237,7 @@ void read(char kind, const std::string& text) {
       parse_quilt_side_file(text, "a");
       return;
     case 's':
-      parse_pixel_aspect(text, "a");
-      return;
+      return views_side_file(text);
     case 'p':
       return ppm(std::as_bytes(std::span(text)));
     case 'f':

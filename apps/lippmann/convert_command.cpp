@@ -100,33 +100,16 @@ int run(const ConvertOptions& options, const Context& context) {
     context.warning(
         "each frame has its own depth range, so equal greys mean different depths: set one range for all frames with "
         "--depth-range");
-  if (converted.drops_positions && converted.lacks_cameras)
+  if (!converted.left_out.empty())
     context.warning(
-        "camera positions are left out: the distance of the zero plane is unknown, so no parameters, depth or disparity are "
-        "written");
-  else if (converted.drops_positions)
-    context.warning(fmt::format("camera positions are left out: {} cannot store them", options.to));
-  else if (converted.lacks_cameras)
+        fmt::format("not written, because {} cannot store them: {}", conversion.to->name, fmt::join(converted.left_out, "; ")));
+  if (converted.lacks_cameras)
     context.warning(
         "the cameras of these views are unknown: no parameters, depth or disparity are written (lippmann render states "
         "cameras in report.json)");
-  if (converted.drops_poses)
-    context.warning(fmt::format("the cameras of {} do not share a plane and a window: {}", options.in,
-                                params.display_picture
-                                    ? "the picture shows their views in order"
-                                    : "camera parameters and depth are left out, except in nerf, colmap and llff"));
-  if (!converted.left_out.empty())
-    context.warning(
-        fmt::format("not written, because {} cannot store them: {}", options.to, fmt::join(converted.left_out, ", ")));
-  if (converted.lost_pixel_aspect != 1.0)
-    context.warning(
-        fmt::format("the pixels of these views are {:.4g} times as wide as high, and {} cannot state this: programs "
-                    "show the views {}",
-                    converted.lost_pixel_aspect, options.to, converted.lost_pixel_aspect > 1.0 ? "too narrow" : "too wide"));
   if (!converted.too_coarse.empty())
     context.warning(converted.too_coarse + ", so the print is blurred; sharp prints need a pixel for each lens");
-  const bool can_store_depth = options.to != "stanford" && options.to != "llff" && !converted.drops_poses;
-  if (converted.lacks_depth && can_store_depth)
+  if (converted.lacks_depth)
     context.warning(
         "the depth of these views is unknown: no maps of depth and disparity are written (lippmann render --aov "
         "depth writes it)");

@@ -13,6 +13,7 @@
 #include "lippmann/core/error.hpp"
 #include "lippmann/display/load_display.hpp"
 #include "lippmann/layout/display_picture.hpp"
+#include "lippmann/layout/kept_data.hpp"
 #include "lippmann/layout/quilt_name.hpp"
 #include "replay/depth_frames.hpp"
 #include "replay/no_light_field.hpp"
@@ -55,7 +56,7 @@ bool makes_depth_views(const Conversion& c) { return c.kind == ConvertKind::kDep
 bool makes_stereo(const Conversion& c) { return c.to && c.to->name == "stereo"; }
 
 bool keeps_cameras(const ConvertOptions&, const Conversion& c) {
-  return c.kind == ConvertKind::kRearrange && (c.to->uses_cameras || c.to->keeps_positions);
+  return c.kind == ConvertKind::kRearrange && keeps(c.to->name, DataKind::kCameras);
 }
 
 /// Returns whether both formats number views in the same order, so that the shape of the grid does not matter.

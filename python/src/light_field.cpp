@@ -224,9 +224,9 @@ py::tuple open(const std::filesystem::path& path, const std::string& format, For
 SharedPanel panel_of_field(const LightField& field, const std::optional<Optics>& optics,
                            const std::optional<double>& view_angle_deg) {
   const py::gil_scoped_release release;
-  const Optics shown = optics          ? *optics
-                       : field.cameras ? optics_of_cameras(field, "cameras")
-                                       : assumed_optics(field, view_angle_deg);
+  const Optics shown = optics                   ? *optics
+                       : has_camera_grid(field) ? optics_of_cameras(field, "cameras")
+                                                : assumed_optics(field, view_angle_deg);
   return std::make_shared<RenderedPanel>(panel_of(field, shown, "views"));
 }
 

@@ -13,6 +13,7 @@
 #include "lippmann/core/error.hpp"
 #include "lippmann/image/encode.hpp"
 #include "lippmann/layout/film_views.hpp"
+#include "lippmann/layout/kept_data.hpp"
 
 namespace lippmann {
 namespace {
@@ -137,7 +138,7 @@ std::vector<fs::path> write_frame_files(const FrameFiles& files, int frame, cons
 
 std::vector<fs::path> write_light_field_files(const FrameFiles& files, int frame, const LightFieldFormat& format,
                                               const Optics& optics, const FramePictures& pictures) {
-  const Image* depth = format.uses_cameras && pictures.aovs.wants(Aov::kDepth) ? &pictures.aovs[Aov::kDepth] : nullptr;
+  const Image* depth = uses_depth(format.name) && pictures.aovs.wants(Aov::kDepth) ? &pictures.aovs[Aov::kDepth] : nullptr;
   LightField field = light_field_of(pictures.film, optics, depth);
   if (files.format != PictureFormat::kExr) field.stack = codes_of(files, std::get<Image>(field.stack));
   if (files.one_set)

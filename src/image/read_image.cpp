@@ -203,8 +203,9 @@ std::optional<StoredDepth> read_stored_depth(const fs::path& path) {
 
 std::vector<std::string> channel_names(const fs::path& path) { return read_header(path).channels; }
 
-LeftOutChannels left_out_channels(const fs::path& path) {
-  const PictureHeader header = read_header(path);
+namespace {
+
+LeftOutChannels left_out_channels(const PictureHeader& header) {
   LeftOutChannels left_out;
   if (header.colors == 0) return left_out;  // read_rgb() throws for such a file
   for (std::size_t c = static_cast<std::size_t>(header.colors); c < header.channels.size(); ++c) {
@@ -218,6 +219,21 @@ LeftOutChannels left_out_channels(const fs::path& path) {
       left_out.others.push_back(name);
   }
   return left_out;
+}
+
+}  // namespace
+
+LeftOutChannels left_out_channels(const fs::path& path) { return left_out_channels(read_header(path)); }
+
+std::optional<Image> read_alpha(const fs::path& path) {
+  std::optional<PictureHeader> header = begun_header(path);
+  if (!header) header = read_header(path);
+  if (!left_out_channels(*header).alpha) return std::nullopt;
+  const std::array<std::string, 1> channel{header->channels[static_cast<std::size_t>(header->colors)]};
+  Image alpha = read_channels(path, channel);
+  for (float& value : alpha.data) value = value > 0.0f ? std::min(value, 1.0f) : 0.0f;
+  const bool is_opaque = std::all_of(alpha.data.begin(), alpha.data.end(), [](float value) { return value == 1.0f; });
+  return is_opaque ? std::nullopt : std::optional(std::move(alpha));
 }
 
 Image read_channels(const fs::path& path, std::span<const std::string> names) {

@@ -50,6 +50,9 @@ struct LeftOutChannels {
 };
 LeftOutChannels left_out_channels(const std::filesystem::path& path);
 
+/// Reads the opacities of a picture (1 channel, 0 to 1). Returns nothing if the picture is opaque.
+std::optional<Image> read_alpha(const std::filesystem::path& path);
+
 /// kFloat stands for all other types, which are read as floats.
 enum class SampleKind { kByte, kWord, kFloat };
 SampleKind sample_kind(const std::filesystem::path& path);

@@ -9,6 +9,7 @@
 #include "job/test_pattern.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/layout/formats.hpp"
+#include "lippmann/layout/kept_data.hpp"
 
 namespace lippmann {
 
@@ -33,7 +34,7 @@ bool is_light_field(const PictureParams& pictures) {
 
 /// Light-field formats store no layers except depth.
 void check_light_field(const RenderParams& params) {
-  const bool stores_depth = find_output_format(params.output.pictures.to, "to").uses_cameras;
+  const bool stores_depth = uses_depth(find_output_format(params.output.pictures.to, "to").name);
   for (const Aov layer : params.sampling.aov)
     if (layer != Aov::kDepth || !stores_depth)
       throw usage_error("aov", fmt::format("files of the format {} cannot store these layers", params.output.pictures.to),

@@ -7,6 +7,7 @@
 #include "job/test_pattern.hpp"
 #include "lippmann/core/parallel.hpp"
 #include "lippmann/layout/formats.hpp"
+#include "lippmann/layout/kept_data.hpp"
 #include "lippmann/scene/load.hpp"
 
 namespace lippmann {
@@ -18,7 +19,7 @@ void complete_pictures(RenderParams& params) {
   if (pictures.layout == PictureLayout::kRgbd && pictures.to.empty()) pictures.layout.reset(), pictures.to = "rgbd";
   if (pictures.to == "rgbd" && !params.optics.kind) params.optics.kind = OpticsKind::kSingle;  // RGB-D pictures have one view
   std::vector<Aov>& layers = params.sampling.aov;
-  if (!pictures.to.empty() && find_output_format(pictures.to, "to").uses_cameras &&
+  if (!pictures.to.empty() && uses_depth(find_output_format(pictures.to, "to").name) &&
       std::find(layers.begin(), layers.end(), Aov::kDepth) == layers.end())
     layers.push_back(Aov::kDepth);
 }

@@ -64,7 +64,7 @@ LightField read_colmap(const fs::path& folder, const FormatOptions& options) {
   const auto text = [](const fs::path& file) { return read_recorded_text(file, kMaxModelBytes); };
   PosedSet set = is_regular_file_there(model / "cameras.bin") ? read_model(model, ".bin", bytes, options.warn)
                                                               : read_model(model, ".txt", text, options.warn);
-  read_held_out_names(model / "test.txt", set.pictures);
+  read_held_out_names(model / "test.txt", set.pictures, options.warn);
   std::error_code ignored;
   const fs::path images = folder / "images";
   if (fs::is_directory(images, ignored)) warn_of_unlisted_pictures(images, set.file, set.pictures, options);
@@ -103,10 +103,6 @@ LightFieldFormat colmap_format() {
       .name = "colmap",
       .description = "COLMAP's folder: images/000.png, ... and sparse/0 with their cameras, and points where depth is known",
       .is_folder = true,
-      .uses_cameras = true,
-      .keeps_poses = true,
-      .keeps_points = true,
-      .keeps_splits = true,
       .states_cameras = true,
       .read = read_colmap,
       .write = write_colmap,

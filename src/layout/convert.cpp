@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -16,6 +17,7 @@
 #include "layout/rgbd_name.hpp"
 #include "layout/view_files.hpp"
 #include "lippmann/core/error.hpp"
+#include "lippmann/layout/kept_data.hpp"
 #include "lippmann/layout/open_light_field.hpp"
 #include "lippmann/layout/quilt_name.hpp"
 
@@ -52,6 +54,12 @@ std::vector<fs::path> write_display_picture(const Picture& picture, const Displa
   return {path};
 }
 
+/// Frames of an animation usually lose the same data.
+void add_left_out(std::string description, Converted& result) {
+  if (std::ranges::find(result.left_out, description) == result.left_out.end())
+    result.left_out.push_back(std::move(description));
+}
+
 class Conversion {
  public:
   explicit Conversion(const ConvertParams& params) : params_(params), to_(find_output_format(params.to, "to")) {
@@ -63,11 +71,10 @@ class Conversion {
   void convert_one(const fs::path& in, const fs::path& out, bool is_frame, Converted& result) const {
     if (params_.display_picture) return convert_for_display(in, out, is_frame, result);
     FormatOptions reading = params_.options;
-    reading.with_depth = to_.uses_cameras;
+    reading.with_depth = true;                         // also if the output format loses it, which is reported
     if (to_.name == "stereo") reading.stereo.reset();  // `stereo` describes the output; the input's name describes the input
     OpenedLightField opened = open(in, reading);
     LightField& field = opened.field;
-    const bool lacks_some_depth = field.lacks_some_depth;
     if (params_.keep) keep(field, *params_.keep, "keep");
     if (params_.crop) crop(field, *params_.crop, "crop");
     FormatOptions writing = params_.options;
@@ -80,13 +87,10 @@ class Conversion {
     const NewFolder folder(to_.is_folder ? path : path.parent_path());
     for (fs::path& file : to_.write(field, path, writing)) result.written.push_back(std::move(file));
     result.views = field.grid, result.view_size = field.view_size;
-    result.drops_positions = field.positions && !to_.keeps_positions && !(to_.uses_cameras && field.cameras);
-    result.drops_poses = field.poses && !to_.keeps_poses;
-    if (to_.assumes_square_pixels) result.lost_pixel_aspect = pixel_aspect(field);
-    const bool has_cameras = field.cameras || field.poses;
-    result.lacks_cameras = to_.uses_cameras && !has_cameras;
-    result.lacks_depth = to_.uses_cameras && has_cameras && !field.depth && !lacks_some_depth;
-    result.left_out = left_out_of(field);
+    for (LostData& lost : lost_data(field, to_.name)) add_left_out(std::move(lost.description), result);
+    const bool has_depth = field.depth || field.view_depth || field.lacks_some_depth;
+    result.lacks_cameras = keeps(to_.name, DataKind::kHciNotes) && !field.cameras && !field.poses;
+    result.lacks_depth = keeps(to_.name, DataKind::kDepth) && writes_cameras(field) && !has_depth;
   }
 
   /// Views in folders may be large photos, so each view is resized to the display right after it is read.
@@ -120,7 +124,8 @@ class Conversion {
     for (fs::path& file : write_display_picture(picture, display, target, path, profile_ ? &*profile_ : nullptr))
       result.written.push_back(std::move(file));
     result.views = field.grid, result.view_size = field.view_size;
-    result.drops_poses = field.poses.has_value();
+    for (LostData& lost : lost_data(field, to_.name))  // pictures of a display hold nothing but views
+      if (lost.kind == DataKind::kPoses) add_left_out(std::move(lost.description), result);
     result.fitted = fitter.description();
     result.too_coarse = fitter.coarseness();
   }
@@ -132,13 +137,8 @@ class Conversion {
   }
 
  private:
-  std::vector<std::string> left_out_of(const LightField& field) const {
-    std::vector<std::string> left_out;
-    if (!to_.uses_cameras) return left_out;
-    if (!field.points.empty() && !to_.keeps_points) left_out.push_back(fmt::format("{} points", field.points.size()));
-    if (field.depth_bounds_mm && !to_.keeps_depth_bounds) left_out.emplace_back("nearest and farthest depths");
-    if (field.splits && !to_.keeps_splits) left_out.emplace_back("the split into training and test views");
-    return left_out;
+  bool writes_cameras(const LightField& field) const {
+    return field.poses ? keeps(to_.name, DataKind::kPoses) : field.cameras.has_value();
   }
 
   OpenedLightField open(const fs::path& in, const FormatOptions& reading) const {

@@ -27,6 +27,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMaxCvkitCameras = 4096;
+constexpr double kRhoBaselineMm = 100.0;  ///< in rho, for a single view
 
 /// Reads the cameras of a folder. Sets `rho` to disparity * depth of each camera, by picture name.
 std::vector<MivCamera> read_cvkit_cameras(const fs::path& folder, std::map<std::string, double>& rho) {
@@ -136,12 +137,13 @@ std::vector<fs::path> write_cvkit(const LightField& field, const fs::path& folde
       write_view_files(field, folder, [&](int view) { return fmt::format("{}.{}", name(view), ending); });
   const std::vector<MivCamera> cameras =
       miv_cameras(*field.cameras, field.view_size, std::vector<std::string>(field.cameras->eyes_mm.size()), 0.0, 0.0);
-  const double rho = 1e-3 * mean_step(field.cameras->eyes_mm, field.grid) * cameras[0].focal_px.x;
+  const double step_mm = mean_step(field.cameras->eyes_mm, field.grid);
+  const double rho = 1e-3 * (step_mm > 0.0 ? step_mm : kRhoBaselineMm) * cameras[0].focal_px.x;
   for (int view = 0; view < field.grid.count(); ++view) {
     const std::string text = cvkit_camera_text({cameras[static_cast<std::size_t>(view)], rho});
     written.push_back(cvkit_camera_path(folder, name(view)));
     write_file_atomically(written.back(), std::as_bytes(std::span(text)));
-    if (!field.depth || !(rho > 0.0)) continue;
+    if (!field.depth) continue;
     written.push_back(cvkit_disparity_path(folder, name(view)));
     write_pfm(written.back(), cvkit_disparity(field, view, rho));
   }
@@ -155,7 +157,6 @@ LightFieldFormat cvkit_format() {
           .description =
               "cvkit's folder: view_000.png, view_000_param.txt with its camera, view_000_disp.pfm with disparities, ...",
           .is_folder = true,
-          .uses_cameras = true,
           .states_cameras = true,
           .read = read_cvkit,
           .write = write_cvkit,

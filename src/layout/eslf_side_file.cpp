@@ -1,7 +1,5 @@
 #include "layout/eslf_side_file.hpp"
 
-#include <fmt/format.h>
-
 #include <nlohmann/json.hpp>
 #include <span>
 
@@ -10,6 +8,7 @@
 #include "core/json_text.hpp"
 #include "core/recorded_file.hpp"
 #include "core/regular_file.hpp"
+#include "layout/camera_json.hpp"
 #include "lippmann/core/error.hpp"
 
 namespace lippmann {
@@ -20,36 +19,6 @@ using EslfJson = nlohmann::ordered_json;
 
 constexpr int kMaxEslfSide = 1024;
 constexpr std::string_view kEslfTable = "eslf";
-constexpr NumberRange kEslfLength{1e-9, 1e12};
-
-std::vector<Vec2d> points_of(const JsonFields& fields, std::string_view key, int count) {
-  const EslfJson& list = fields.value(key);
-  if (!list.is_array() || static_cast<int>(list.size()) != count)
-    fields.reject(key, "is not a list of one point for each view", fmt::format("{} pairs of numbers", count));
-  std::vector<Vec2d> points;
-  for (const EslfJson& point : list) {
-    const std::vector<double> pair = fields.numbers_in(key, point, 2);
-    points.emplace_back(pair[0], pair[1]);
-  }
-  return points;
-}
-
-ViewCameras cameras_in(const JsonFields& fields, int count) {
-  ViewCameras cameras;
-  cameras.distance_mm = fields.number("distance_mm", kEslfLength);
-  cameras.pixel_mm = fields.pair("pixel_mm", kEslfLength);
-  cameras.centre_px = fields.pair("centre_px");
-  cameras.eyes_mm = points_of(fields, "eyes_mm", count);
-  return cameras;
-}
-
-EslfJson json_of(const Vec2d& point) { return {point.x, point.y}; }
-
-EslfJson json_of(const std::vector<Vec2d>& points) {
-  EslfJson list = EslfJson::array();
-  for (const Vec2d& point : points) list.push_back(json_of(point));
-  return list;
-}
 
 }  // namespace
 
@@ -70,7 +39,7 @@ std::optional<EslfSideFile> parse_eslf_side_file(const std::string& text, const 
   const NumberRange side_range{1, kMaxEslfSide};
   EslfSideFile side;
   side.grid = {fields.whole("columns", side_range), fields.whole("rows", side_range)};
-  if (fields.has("positions")) side.positions = points_of(fields, "positions", side.grid.count());
+  if (fields.has("positions")) side.positions = points_in(fields, "positions", side.grid.count());
   if (fields.has("cameras")) side.cameras = cameras_in(fields.inner("cameras"), side.grid.count());
   const double of_cameras = side.cameras ? side.cameras->pixel_mm.x / side.cameras->pixel_mm.y : 1.0;
   side.pixel_aspect = fields.number_or("pixel_aspect", {1e-3, 1e3}, of_cameras);
@@ -80,12 +49,8 @@ std::optional<EslfSideFile> parse_eslf_side_file(const std::string& text, const 
 std::string eslf_side_text(const EslfSideFile& side) {
   EslfJson table{{"columns", side.grid.columns}, {"rows", side.grid.rows}};
   if (side.pixel_aspect != 1.0) table["pixel_aspect"] = side.pixel_aspect;
-  if (side.positions) table["positions"] = json_of(*side.positions);
-  if (side.cameras)
-    table["cameras"] = {{"distance_mm", side.cameras->distance_mm},
-                        {"pixel_mm", json_of(side.cameras->pixel_mm)},
-                        {"centre_px", json_of(side.cameras->centre_px)},
-                        {"eyes_mm", json_of(side.cameras->eyes_mm)}};
+  if (side.positions) table["positions"] = points_json(*side.positions);
+  if (side.cameras) table["cameras"] = cameras_json(*side.cameras);
   return json_to_text(EslfJson{{std::string(kEslfTable), table}}, -1) + '\n';
 }
 

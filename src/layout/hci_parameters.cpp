@@ -7,6 +7,7 @@
 #include <map>
 #include <span>
 #include <string_view>
+#include <utility>
 
 #include "core/atomic_file.hpp"
 #include "core/printable.hpp"
@@ -18,6 +19,10 @@
 namespace lippmann {
 namespace fs = std::filesystem;
 namespace {
+
+constexpr std::pair<const char*, std::string HciNotes::*> kTextNotes[] = {
+    {"scene", &HciNotes::scene},     {"category", &HciNotes::category}, {"date", &HciNotes::date},
+    {"version", &HciNotes::version}, {"authors", &HciNotes::authors},   {"contact", &HciNotes::contact}};
 
 std::string_view trimmed(std::string_view text) {
   const auto first = text.find_first_not_of(" \t\r"), last = text.find_last_not_of(" \t\r");
@@ -37,6 +42,8 @@ class Values {
       values_[std::string(trimmed(line.substr(0, equals)))] = trimmed(line.substr(equals + 1));
     }
   }
+
+  bool has(const char* key) const { return values_.contains(key); }
 
   std::string text(const char* key) const {
     const auto found = values_.find(key);
@@ -70,7 +77,23 @@ class Values {
   std::map<std::string, std::string> values_;
 };
 
-/// `baseline_mm`: distance between neighbouring eyes.
+/// Returns the position of the middle of the eyes relative to that of all eyes of the file, in the frame of the scene.
+Vec3d shift_of_centre_m(const ViewCameras& cameras, const HciNotes& notes) {
+  Vec2d middle(0.0);
+  for (const Vec2d& eye : cameras.eyes_mm) middle += eye / static_cast<double>(cameras.eyes_mm.size());
+  const auto metres = [](double mm) { return std::abs(mm) < 1e-6 ? 0.0 : 1e-3 * mm; };  // removes rounding errors
+  Vec3d shift(metres(middle.x), metres(middle.y), 0.0);
+  const Vec3d sine = glm::sin(notes.centre_camera_rad), cosine = glm::cos(notes.centre_camera_rad);
+  for (const int axis : {0, 1, 2}) {
+    double &a = shift[(axis + 1) % 3], &b = shift[(axis + 2) % 3];
+    const double turned = cosine[axis] * a - sine[axis] * b;
+    b = sine[axis] * a + cosine[axis] * b;
+    a = turned;
+  }
+  return shift;
+}
+
+/// `baseline_mm`: distance between neighbouring eyes. `where`: the folder, whose name is that of a scene without a name.
 HciParameters parameters_with(double baseline_mm, const LightField& field, const std::string& where) {
   const ViewCameras& cameras = *field.cameras;
   if (std::abs(cameras.pixel_mm.x / cameras.pixel_mm.y - 1.0) > 1e-4)
@@ -82,11 +105,29 @@ HciParameters parameters_with(double baseline_mm, const LightField& field, const
   p.baseline_mm = baseline_mm;
   p.focus_distance_m = 1e-3 * cameras.distance_mm;
   p.focal_length_mm = p.sensor_size_mm * cameras.distance_mm / (cameras.pixel_mm.x * std::max(p.width, p.height));
-  Vec2d middle(0.0);
-  for (const Vec2d& eye : cameras.eyes_mm) middle += eye / static_cast<double>(cameras.eyes_mm.size());
-  const auto metres = [](double mm) { return std::abs(mm) < 1e-6 ? 0.0 : 1e-3 * mm; };  // removes rounding errors
-  p.centre_camera_m[0] = metres(middle.x), p.centre_camera_m[1] = metres(middle.y), p.centre_camera_m[2] = p.focus_distance_m;
+  p.notes = field.hci.value_or(HciNotes());
+  p.notes.centre_camera_m =
+      p.notes.centre_camera_m.value_or(Vec3d(0.0, 0.0, p.focus_distance_m)) + shift_of_centre_m(cameras, p.notes);
+  if (p.notes.scene.empty()) p.notes.scene = fs::path(where).filename().string();
   return p;
+}
+
+HciNotes notes_in(const Values& values) {
+  HciNotes notes;
+  notes.fstop = values.number_or("fstop", notes.fstop);
+  for (const int axis : {0, 1, 2})
+    if (const std::string key = fmt::format("center_cam_{}_m", "xyz"[axis]); values.has(key.c_str())) {
+      if (!notes.centre_camera_m) notes.centre_camera_m = Vec3d(0.0);
+      (*notes.centre_camera_m)[axis] = values.number_or(key.c_str(), 0.0);
+    }
+  for (const int axis : {0, 1, 2})
+    notes.centre_camera_rad[axis] = values.number_or(fmt::format("center_cam_r{}_rad", "xyz"[axis]).c_str(), 0.0);
+  for (const auto& [key, member] : kTextNotes)
+    if (values.has(key)) notes.*member = values.text(key);
+  notes.disparity_px = {values.number_or("disp_min", 0.0), values.number_or("disp_max", 0.0)};
+  notes.frustum_disparity_px = {values.number_or("frustum_disp_min", 0.0), values.number_or("frustum_disp_max", 0.0)};
+  notes.depth_map_scale = values.number_or("depth_map_scale", notes.depth_map_scale);
+  return notes;
 }
 
 }  // namespace
@@ -98,7 +139,6 @@ HciParameters parse_hci_parameters(const std::string& text, const std::string& w
   HciParameters p;
   p.focal_length_mm = values.number("focal_length_mm", kLeast, kMost);
   p.sensor_size_mm = values.number("sensor_size_mm", kLeast, kMost);
-  p.fstop = values.number_or("fstop", p.fstop);
   p.width = values.count("image_resolution_x_px", kMaxSide);
   p.height = values.count("image_resolution_y_px", kMaxSide);
   p.columns = values.count("num_cams_x", kMaxCameras);
@@ -107,12 +147,7 @@ HciParameters parse_hci_parameters(const std::string& text, const std::string& w
   if (p.baseline_mm == 0.0 && p.columns * p.rows > 1)
     throw Error(where, fmt::format("its baseline_mm is 0, but it has {}x{} cameras", p.columns, p.rows), "a number above 0");
   p.focus_distance_m = values.number("focus_distance_m", kLeast, kMost);
-  p.centre_camera_m[0] = values.number_or("center_cam_x_m", 0.0);
-  p.centre_camera_m[1] = values.number_or("center_cam_y_m", 0.0);
-  p.centre_camera_m[2] = values.number_or("center_cam_z_m", 0.0);
-  p.scene = values.text("scene");
-  p.disparity_min = values.number_or("disp_min", 0.0);
-  p.disparity_max = values.number_or("disp_max", 0.0);
+  p.notes = notes_in(values);
   return p;
 }
 
@@ -124,27 +159,23 @@ std::string hci_parameters_text(const HciParameters& p) {
   line("image_resolution_x_px", p.width);
   line("image_resolution_y_px", p.height);
   line("sensor_size_mm", p.sensor_size_mm);
-  line("fstop", p.fstop);
+  line("fstop", p.notes.fstop);
   text += "\n[extrinsics]\n";
   line("num_cams_x", p.columns);
   line("num_cams_y", p.rows);
   line("baseline_mm", p.baseline_mm);
   line("focus_distance_m", p.focus_distance_m);
-  for (int axis = 0; axis < 3; ++axis) line(fmt::format("center_cam_{}_m", "xyz"[axis]), p.centre_camera_m[axis]);
-  for (const char axis : {'x', 'y', 'z'}) line(fmt::format("center_cam_r{}_rad", axis), 0.0);
+  const Vec3d centre_m = p.notes.centre_camera_m.value_or(Vec3d(0.0, 0.0, p.focus_distance_m));
+  for (const int axis : {0, 1, 2}) line(fmt::format("center_cam_{}_m", "xyz"[axis]), centre_m[axis]);
+  for (const int axis : {0, 1, 2}) line(fmt::format("center_cam_r{}_rad", "xyz"[axis]), p.notes.centre_camera_rad[axis]);
   line("offset", -hci_disparity_px(p, INFINITY));
   text += "\n[meta]\n";
-  line("scene", p.scene);
-  line("category", "synthetic");
-  line("date", "");
-  line("version", "v0");
-  line("authors", "");
-  line("contact", "");
-  line("disp_min", p.disparity_min);
-  line("disp_max", p.disparity_max);
-  line("frustum_disp_min", p.disparity_min);
-  line("frustum_disp_max", p.disparity_max);
-  line("depth_map_scale", 1.0);
+  for (const auto& [key, member] : kTextNotes) line(key, p.notes.*member);
+  line("disp_min", p.notes.disparity_px.x);
+  line("disp_max", p.notes.disparity_px.y);
+  line("frustum_disp_min", p.notes.frustum_disparity_px.x);
+  line("frustum_disp_max", p.notes.frustum_disparity_px.y);
+  line("depth_map_scale", p.notes.depth_map_scale);
   return text;
 }
 
@@ -173,6 +204,12 @@ fs::path write_hci_parameters(const fs::path& folder, const HciParameters& param
 double hci_disparity_px(const HciParameters& p, double depth_m) {
   const double beta = p.baseline_mm * p.focal_length_mm * std::max(p.width, p.height), focus_mm = 1000.0 * p.focus_distance_m;
   return (beta * focus_mm / (1000.0 * depth_m) - beta) / (focus_mm * p.sensor_size_mm);
+}
+
+double hci_depth_m(const HciParameters& p, double disparity_px) {
+  const double beta = p.baseline_mm * p.focal_length_mm * std::max(p.width, p.height);
+  const double depth_m = beta * p.focus_distance_m / (disparity_px * 1000.0 * p.focus_distance_m * p.sensor_size_mm + beta);
+  return depth_m > 0.0 ? depth_m : INFINITY;
 }
 
 HciParameters hci_parameters(const LightField& field, const std::string& where) {

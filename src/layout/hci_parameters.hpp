@@ -18,13 +18,11 @@
 namespace lippmann {
 
 struct HciParameters {
-  double focal_length_mm = 100.0, sensor_size_mm = 35.0, fstop = 100.0;
+  double focal_length_mm = 100.0, sensor_size_mm = 35.0;
   int width = 0, height = 0;  ///< size of a view in pixels
   int columns = 1, rows = 1;
   double baseline_mm = 0.0, focus_distance_m = 1.0;
-  double centre_camera_m[3] = {0.0, 0.0, 0.0};
-  std::string scene = {};
-  double disparity_min = 0.0, disparity_max = 0.0;
+  HciNotes notes = {};  ///< without a centre camera, it stands on the display's axis, at the focus distance
 };
 
 /// Throws Error naming `where` for missing keys, malformed numbers and invalid cameras.
@@ -41,14 +39,16 @@ std::filesystem::path write_hci_parameters(const std::filesystem::path& folder, 
 /// Disparity between neighbouring cameras in pixels, positive for points nearer than the focus distance. depth_m:
 /// planar depth > 0; may be inf.
 double hci_disparity_px(const HciParameters& parameters, double depth_m);
+/// The inverse of hci_disparity_px(). Returns infinity for disparities that no depth > 0 has.
+double hci_depth_m(const HciParameters& parameters, double disparity_px);
 
-/// Returns the parameters of the views' cameras, with sensors 35 mm wide. Throws Error naming `where` if the format cannot
-/// express the cameras: non-uniform eye distances or non-square pixels.
+/// Returns the parameters of the views' cameras, with sensors 35 mm wide, and the notes of the field. Throws Error naming
+/// `where` if the format cannot express the cameras: non-uniform eye distances or non-square pixels.
 HciParameters hci_parameters(const LightField& field, const std::string& where);
 /// Returns parameters with the mean distance between neighbouring eyes, for formats that also store each eye's position.
 HciParameters mean_hci_parameters(const LightField& field, const std::string& where);
 StatedCameras stated_cameras(const HciParameters& parameters);
-/// Cameras centred on the display's axis. The pose of the middle camera in its scene is ignored.
+/// Cameras centred on the display's axis. HciNotes have the pose of the middle camera in its scene.
 ViewCameras hci_cameras(const HciParameters& parameters);
 
 }  // namespace lippmann

@@ -85,6 +85,11 @@ std::vector<fs::path> write_jpeg_pleno(const LightField& field, const fs::path& 
   };
   if (std::holds_alternative<Image>(field.stack))
     throw Error(folder.string(), "JPEG Pleno stores integer samples, but these are floats", "pictures of 8 or 16 bits");
+  if (options.png && field.alpha) {  // programs for JPEG Pleno expect three channels
+    LightField opaque = field;
+    opaque.alpha.reset();
+    return write_view_files(opaque, folder, name);
+  }
   if (options.png) return write_view_files(field, folder, name);
   const int own_bits = std::holds_alternative<Image8>(field.stack) ? 8 : 16;
   const int bits = options.bits.value_or(field.bits > 0 ? field.bits : own_bits);
@@ -105,7 +110,6 @@ LightFieldFormat jpeg_pleno_format() {
   return {.name = "jpeg-pleno",
           .description = "JPEG Pleno's folder: {column}_{row}.ppm (read: .png too), from the top left; `bits` of its codes",
           .is_folder = true,
-          .assumes_square_pixels = true,
           .read = read_jpeg_pleno,
           .write = write_jpeg_pleno,
           .writes = {.bits = true}};

@@ -79,12 +79,26 @@ Image depth_of(const LightField& field, int view) {
   return depth;
 }
 
+Image alpha_of(const LightField& field, int view) {
+  Image alpha(field.view_size.x, field.view_size.y, 1);
+  move_pixels(*field.alpha, pixels_of(field, view), alpha, {});
+  return alpha;
+}
+
 void set_view(LightField& field, int view, const Picture& picture) {
   move_pixels(picture, {}, field.stack, pixels_of(field, view));
 }
 
 void set_depth(LightField& field, int view, const Image& depth) {
   move_pixels(depth, {}, *field.depth, pixels_of(field, view));
+}
+
+void set_alpha(LightField& field, int view, const Image& alpha) {
+  if (!field.alpha) {
+    field.alpha = Image(field.view_size.x, field.view_size.y * field.grid.count(), 1);
+    std::ranges::fill(field.alpha->data, 1.0f);
+  }
+  move_pixels(alpha, {}, *field.alpha, pixels_of(field, view));
 }
 
 }  // namespace lippmann

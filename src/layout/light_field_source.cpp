@@ -17,6 +17,7 @@
 #include "layout/rgbd_name.hpp"
 #include "layout/rgbd_side_file.hpp"
 #include "lippmann/core/error.hpp"
+#include "lippmann/layout/kept_data.hpp"
 #include "lippmann/layout/open_light_field.hpp"
 #include "lippmann/layout/quilt_name.hpp"
 
@@ -141,7 +142,8 @@ LightFieldSource light_field_source(const fs::path& path, const std::string& fro
   if (!source.rendered) return source;
   const ViewLayout& film = source.rendered->film;
   if (!source.options.views) source.options.views = film.grid;
-  if (source.format->name == "views") source.options.pixel_aspect = pixel_aspect_of(source.rendering->optics, film);
+  if (source.format->name == "views" || source.format->name == "eslf")
+    source.options.pixel_aspect = pixel_aspect_of(source.rendering->optics, film);
   const bool named_by_quilt = parse_quilt_name(path).has_value();
   if (!source.options.tiles && film.kind == LayoutKind::kQuilt && !named_by_quilt) source.options.tiles = film.tiles;
   return source;
@@ -192,7 +194,7 @@ const LightFieldFormat& format_of_light_field(const fs::path& in, const std::str
 fs::path folder_of_pictures(const fs::path& folder) {
   std::error_code ignored;
   const std::optional<std::string> format = format_of_folder(folder);
-  const bool has_images = format && find_format(*format, "from").keeps_poses && fs::is_directory(folder / "images", ignored);
+  const bool has_images = format && keeps(*format, DataKind::kPoses) && fs::is_directory(folder / "images", ignored);
   return has_images ? folder / "images" : folder;
 }
 

@@ -34,7 +34,7 @@ LightField read_llff(const fs::path& folder, const FormatOptions& options) {
                 fmt::format("has {} rows, but {} has {} pictures", pictures.size(), images.string(), names.size()),
                 "a row for each picture");
   for (std::size_t i = 0; i < names.size(); ++i) pictures[i].picture = names[i];
-  read_held_out_names(folder / "test.txt", pictures);
+  read_held_out_names(folder / "test.txt", pictures, options.warn);
   return read_posed_pictures(images, {file, std::move(pictures)}, options);
 }
 
@@ -85,10 +85,6 @@ LightFieldFormat llff_format() {
   return {.name = "llff",
           .description = "LLFF's folder: images/000.png, ... and poses_bounds.npy with their cameras",
           .is_folder = true,
-          .uses_cameras = true,
-          .keeps_poses = true,
-          .keeps_depth_bounds = true,
-          .keeps_splits = true,
           .states_cameras = true,
           .read = read_llff,
           .write = write_llff};

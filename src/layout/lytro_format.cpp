@@ -55,7 +55,6 @@ LightFieldFormat lytro_format() {
           .description =
               "decoded views of a plenoptic camera (EPFL, INRIA): SAI_{row}_{column}.png or any one prefix, from the top left",
           .is_folder = true,
-          .assumes_square_pixels = true,
           .read = read_lytro,
           .write = write_lytro};
 }

@@ -169,7 +169,6 @@ LightFieldFormat miv_format() {
   return {.name = "miv",
           .description = "a folder of pictures and cameras.json (MIV, RVS); 16-bit depth",
           .is_folder = true,
-          .uses_cameras = true,
           .states_cameras = true,
           .read = read_miv,
           .write = write_miv};

@@ -3,6 +3,10 @@
 // transforms_val.json and transforms_test.json list the parts.
 //
 // Depth is in thousandths of the unit of the matrices, as expected by nerfstudio's default depth_unit_scale_factor.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
 #include <span>
 #include <utility>
 
@@ -10,6 +14,7 @@
 #include "core/folder.hpp"
 #include "core/recorded_file.hpp"
 #include "core/regular_file.hpp"
+#include "layout/picture_folder.hpp"
 #include "layout/transforms_json.hpp"
 #include "layout/view_files.hpp"
 #include "lippmann/layout/formats.hpp"
@@ -23,28 +28,49 @@ constexpr std::pair<const char*, Split> kSplitFiles[] = {{"transforms_train.json
                                                          {"transforms_val.json", Split::kValidation},
                                                          {"transforms_test.json", Split::kTest}};
 
-std::vector<PosedPicture> read_transforms(const fs::path& file) {
+std::vector<PosedPicture> read_transforms(const fs::path& file, const FormatOptions& options) {
   constexpr std::uintmax_t kMaxBytes = std::uintmax_t{64} << 20;
-  return parse_transforms(read_recorded_text(file, kMaxBytes, "a folder of pictures and transforms.json"), file.string());
+  return parse_transforms(read_recorded_text(file, kMaxBytes, "a folder of pictures and transforms.json"), file.string(),
+                          options.warn);
 }
 
 /// Reads transforms.json or, if it is missing, transforms_train.json and the files beside it for validation and testing.
-PosedSet read_set(const fs::path& folder) {
+PosedSet read_set(const fs::path& folder, const FormatOptions& options) {
   PosedSet set{folder / "transforms.json", {}};
   if (is_regular_file_there(set.file) || !is_regular_file_there(folder / kSplitFiles[0].first)) {
-    set.pictures = read_transforms(set.file);
+    set.pictures = read_transforms(set.file, options);
     return set;
   }
   set.file = folder / kSplitFiles[0].first;
   for (const auto& [name, split] : kSplitFiles) {
     if (!is_regular_file_there(folder / name)) continue;
-    for (PosedPicture& picture : read_transforms(folder / name)) set.pictures.emplace_back(std::move(picture)).split = split;
+    for (PosedPicture& picture : read_transforms(folder / name, options))
+      set.pictures.emplace_back(std::move(picture)).split = split;
   }
   return set;
 }
 
+/// Warns about pictures beside those of the frames that are not in a frame, and about times that not all frames have.
+void warn_of_lost_pictures(const fs::path& folder, const PosedSet& set, const FormatOptions& options) {
+  std::set<fs::path> used, folders;
+  for (const PosedPicture& picture : set.pictures) {
+    const fs::path path = path_of_picture(folder, picture).lexically_normal();
+    used.insert(path), folders.insert(path.parent_path());
+    if (!picture.depth.empty()) used.insert((folder / picture.depth).lexically_normal());
+  }
+  const auto is_used = [&](const fs::path& path) { return used.contains(path.lexically_normal()); };
+  for (const fs::path& pictures : folders)
+    warn_of_pictures_without_camera(pictures, is_used, set.file.filename().string(), options.warn);
+  const auto timed = std::ranges::count_if(set.pictures, [](const PosedPicture& p) { return p.time.has_value(); });
+  if (timed > 0 && timed < std::ssize(set.pictures) && options.warn)
+    options.warn(fmt::format("{}: the times are left out, because only {} of {} frames have one", set.file.string(), timed,
+                             set.pictures.size()));
+}
+
 LightField read_nerf(const fs::path& folder, const FormatOptions& options) {
-  return read_posed_pictures(folder, read_set(folder), options);
+  PosedSet set = read_set(folder, options);
+  warn_of_lost_pictures(folder, set, options);
+  return read_posed_pictures(folder, std::move(set), options);
 }
 
 std::vector<fs::path> write_nerf(const LightField& field, const fs::path& folder, const FormatOptions&) {
@@ -74,9 +100,6 @@ LightFieldFormat nerf_format() {
       .name = "nerf",
       .description = "NeRF's folder: images/000.png, ... and transforms.json with their cameras; planar depth and ray lengths",
       .is_folder = true,
-      .uses_cameras = true,
-      .keeps_poses = true,
-      .keeps_splits = true,
       .states_cameras = true,
       .read = read_nerf,
       .write = write_nerf};

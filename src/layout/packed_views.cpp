@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "image/read_image.hpp"
+#include "layout/picture_alpha.hpp"
 #include "layout/rendered.hpp"
 
 namespace lippmann {
@@ -30,6 +32,10 @@ LightField read_packed(const fs::path& path, const ViewLayout& layout, bool with
   field.stack = blank(picture, stack_size(field));
   const std::vector<std::uint32_t> pixels = pixels_of_views(layout, field.view_size, size);
   move_pixels(picture, pixels, field.stack, {});
+  if (const std::optional<Image> alpha = read_alpha(path)) {
+    field.alpha = Image(field.view_size.x, field.view_size.y * field.grid.count(), 1);
+    move_pixels(*alpha, pixels, *field.alpha, {});
+  }
   if (!with_depth) return field;
   if (const std::optional<Image> depth = rendered_depth(path); depth && Vec2i(depth->width, depth->height) == size) {
     field.depth = Image(field.view_size.x, field.view_size.y * field.grid.count(), 1);
@@ -40,9 +46,15 @@ LightField read_packed(const fs::path& path, const ViewLayout& layout, bool with
 
 std::vector<fs::path> write_packed(const LightField& field, const ViewLayout& layout, const fs::path& path) {
   const Vec2i size = picture_size(layout, field.view_size);
+  const std::vector<std::uint32_t> pixels = pixels_of_views(layout, field.view_size, size);
   Picture picture = blank(field.stack, size);
-  move_pixels(field.stack, {}, picture, pixels_of_views(layout, field.view_size, size));
-  write_picture(path, picture);
+  move_pixels(field.stack, {}, picture, pixels);
+  std::optional<Image> alpha;
+  if (field.alpha) {
+    alpha = Image(size.x, size.y, 1);
+    move_pixels(*field.alpha, {}, *alpha, pixels);
+  }
+  write_picture(path, std::move(picture), alpha ? &*alpha : nullptr);
   return {path};
 }
 

@@ -20,8 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kListedNames = 5;
-
 struct FolderContent {
   std::vector<fs::path> pictures;
   std::vector<std::string> others;  ///< names of folders end in '/'
@@ -50,20 +48,12 @@ bool is_ignorable(const std::string& name) {
   return std::any_of(std::begin(kNotes), std::end(kNotes), [&](std::string_view ending) { return lower.ends_with(ending); });
 }
 
-/// Returns, for example, "a, b, c and 4 more".
-std::string listed(const std::vector<std::string>& texts) {
-  std::string list;
-  for (std::size_t i = 0; i < std::min(texts.size(), kListedNames); ++i) list += (i == 0 ? "" : ", ") + printable(texts[i]);
-  if (texts.size() > kListedNames) list += fmt::format(" and {} more", texts.size() - kListedNames);
-  return list;
-}
-
 void require_two(const fs::path& folder, const FolderContent& content) {
   if (content.pictures.size() >= 2) return;
   const std::string accepted = "view_000.png, view_001.png, ..., or two or more pictures of one size with any names";
   if (content.pictures.size() == 1)
     throw Error(folder.string(), "contains only one picture, " + content.pictures.front().filename().string(), accepted);
-  throw Error(folder.string(), "contains no views" + (content.others.empty() ? "" : ", only " + listed(content.others)),
+  throw Error(folder.string(), "contains no views" + (content.others.empty() ? "" : ", only " + listed_names(content.others)),
               accepted);
 }
 
@@ -107,11 +97,19 @@ void require_one_shape(const fs::path& folder, const std::vector<fs::path>& pict
     if (shapes[i] != usual) others.push_back(fmt::format("{}: {}", printable(pictures[i].filename().string()), shapes[i]));
   throw Error(folder.string(),
               fmt::format("{} of its {} pictures are {}, but others differ: {}", pictures.size() - others.size(),
-                          pictures.size(), usual, listed(others)),
+                          pictures.size(), usual, listed_names(others)),
               "pictures of one size and one kind of samples");
 }
 
 }  // namespace
+
+std::string listed_names(const std::vector<std::string>& names) {
+  constexpr std::size_t kListedNames = 5;
+  std::string list;
+  for (std::size_t i = 0; i < std::min(names.size(), kListedNames); ++i) list += (i == 0 ? "" : ", ") + printable(names[i]);
+  if (names.size() > kListedNames) list += fmt::format(" and {} more", names.size() - kListedNames);
+  return list;
+}
 
 bool is_picture_folder(const fs::path& folder) {
   const FolderContent content = content_of(folder);
@@ -126,7 +124,7 @@ std::vector<fs::path> pictures_of_views(const fs::path& folder, const std::funct
   if (warn && !content.others.empty())
     warn(fmt::format("{}: its {} pictures are the views, in the order of their names from {} to {}; left out: {}.",
                      folder.string(), content.pictures.size(), printable(content.pictures.front().filename().string()),
-                     printable(content.pictures.back().filename().string()), listed(content.others)));
+                     printable(content.pictures.back().filename().string()), listed_names(content.others)));
   return std::move(content.pictures);
 }
 
@@ -138,7 +136,7 @@ bool warn_of_pictures_without_camera(const fs::path& folder, const std::function
   if (!names.empty() && warn)
     warn(fmt::format("{}: {} without a camera in {} left out: {}", folder.string(),
                      names.size() == 1 ? "a picture" : fmt::format("{} pictures", names.size()),
-                     fmt::format("{} {}", file, names.size() == 1 ? "is" : "are"), listed(names)));
+                     fmt::format("{} {}", file, names.size() == 1 ? "is" : "are"), listed_names(names)));
   return !names.empty();
 }
 

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -19,6 +20,9 @@ bool is_picture_folder(const std::filesystem::path& folder);
 /// differ only in their extension.
 std::vector<std::filesystem::path> pictures_of_views(const std::filesystem::path& folder,
                                                      const std::function<void(std::string_view)>& warn = {});
+
+/// Returns, for example, "a, b, c, d, e and 4 more".
+std::string listed_names(const std::vector<std::string>& names);
 
 /// Warns about the pictures of a folder for which has_camera(path) is false. `file`: name of the file that lacks their cameras.
 /// Returns whether there are such pictures.

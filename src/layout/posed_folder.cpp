@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <numeric>
 #include <set>
 #include <span>
@@ -18,6 +19,7 @@
 #include "core/recorded_file.hpp"
 #include "core/regular_file.hpp"
 #include "layout/cameras.hpp"
+#include "layout/picture_folder.hpp"
 #include "layout/view_files.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/image/encode.hpp"
@@ -26,14 +28,6 @@ namespace lippmann {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Returns the path of a picture in the list of a camera file. Some programs omit the extension: "./train/r_0" is r_0.png.
-fs::path listed_picture(const fs::path& folder, const PosedPicture& picture) {
-  for (const char* ending : {"", ".png", ".jpg", ".exr"})
-    if (const fs::path path = folder / (picture.picture + ending); is_regular_file_there(path)) return path;
-  throw Error(picture.entry, fmt::format("the picture {} is missing", shown(picture.picture)),
-              "a picture in " + folder.string());
-}
 
 /// Completes the camera: computes the values that the camera file lacks from the size of the picture.
 void complete(PosedPicture& picture, Vec2i size) {
@@ -196,6 +190,13 @@ void check_inner_path(const std::string& path, const std::string& where) {
     throw Error(where, "its path is " + shown(path), "a path inside the folder");
 }
 
+fs::path path_of_picture(const fs::path& folder, const PosedPicture& picture) {
+  for (const char* ending : {"", ".png", ".jpg", ".exr"})
+    if (const fs::path path = folder / (picture.picture + ending); is_regular_file_there(path)) return path;
+  throw Error(picture.entry, fmt::format("the picture {} is missing", shown(picture.picture)),
+              "a picture in " + folder.string());
+}
+
 std::string posed_picture_name(int view, int count, const char* ending) {
   const std::size_t digits = std::max<std::size_t>(3, std::to_string(count - 1).size());
   return fmt::format("images/{:0{}}.{}", view, digits, ending);
@@ -212,7 +213,7 @@ std::string ray_length_name(const std::string& depth_name) {
 LightField read_posed_pictures(const fs::path& folder, PosedSet set, const FormatOptions& options) {
   std::vector<PosedPicture>& pictures = set.pictures;
   if (pictures.empty()) throw Error(set.file.string(), "lists no pictures", "at least one");
-  const Vec2i size = size_of(read_picture(listed_picture(folder, pictures.front())));
+  const Vec2i size = size_of(read_picture(path_of_picture(folder, pictures.front())));
   std::set<std::string> names;
   for (PosedPicture& picture : pictures) {
     complete(picture, size);
@@ -223,7 +224,7 @@ LightField read_posed_pictures(const fs::path& folder, PosedSet set, const Forma
   if (cameras) move_to_display(pictures.front().camera, *cameras, set.points);
   const ViewGrid grid = posed_grid(pictures, cameras, options, set.file);
   std::vector<fs::path> by_view;
-  for (const PosedPicture& picture : pictures) by_view.push_back(listed_picture(folder, picture));
+  for (const PosedPicture& picture : pictures) by_view.push_back(path_of_picture(folder, picture));
   LightField field = read_view_files(by_view, grid, with_pixel_aspect(options, pictures.front().camera.focal_px));
   if (!cameras) field.poses = cameras_of(pictures);
   if (options.fit_view) return field;  // views that fit_view has resized do not match the sizes of the cameras
@@ -231,6 +232,7 @@ LightField read_posed_pictures(const fs::path& folder, PosedSet set, const Forma
   field.points = std::move(set.points);
   field.depth_bounds_mm = values_of(pictures, &PosedPicture::depth_bounds_mm);
   field.splits = values_of(pictures, &PosedPicture::split);
+  field.times = values_of(pictures, &PosedPicture::time);
   read_depths(folder, pictures, options, field);
   return field;
 }
@@ -249,18 +251,17 @@ std::string held_out_names(const std::vector<PosedPicture>& pictures) {
   return names;
 }
 
-void read_held_out_names(const fs::path& file, std::vector<PosedPicture>& pictures) {
+void read_held_out_names(const fs::path& file, std::vector<PosedPicture>& pictures,
+                         const std::function<void(std::string_view)>& warn) {
   constexpr std::uintmax_t kMaxBytes = std::uintmax_t{64} << 20;
   if (!is_regular_file_there(file)) return;
-  std::set<std::string> names;
+  SplitList held_out{Split::kTest};
   std::istringstream lines(read_recorded_text(file, kMaxBytes));
   for (std::string name; std::getline(lines, name);) {
     if (name.ends_with('\r')) name.pop_back();
-    names.insert(name);
+    if (!name.empty()) held_out.names.push_back(name);
   }
-  const auto is_held_out = [&](const PosedPicture& picture) { return names.contains(picture.picture); };
-  if (std::none_of(pictures.begin(), pictures.end(), is_held_out)) return;
-  for (PosedPicture& picture : pictures) picture.split = is_held_out(picture) ? Split::kTest : Split::kTraining;
+  set_splits({held_out}, pictures, file.string(), warn);
 }
 
 void write_held_out_names(const fs::path& file, const std::vector<PosedPicture>& pictures) {
@@ -277,8 +278,28 @@ std::vector<PosedPicture> listed_pictures(const LightField& field, const fs::pat
     picture.picture = posed_picture_name(view, field.grid.count(), exact_ending(field.stack));
     picture.camera = cameras[at];
     if (field.splits) picture.split = (*field.splits)[at];
+    if (field.times) picture.time = (*field.times)[at];
   }
   return pictures;
+}
+
+void set_splits(const std::vector<SplitList>& lists, std::vector<PosedPicture>& pictures, const std::string& where,
+                const std::function<void(std::string_view)>& warn) {
+  const auto plain = [](const std::string& name) { return fs::path(name).lexically_normal().generic_string(); };
+  std::map<std::string, Split> splits;
+  for (const SplitList& list : lists)
+    for (const std::string& name : list.names) splits.emplace(plain(name), list.split);
+  std::set<std::string> unknown;
+  for (const auto& [name, split] : splits) unknown.insert(name);
+  for (const PosedPicture& picture : pictures) unknown.erase(plain(picture.picture));
+  if (!unknown.empty() && warn)
+    warn(fmt::format("{}: left out, because the data set has no such pictures: {}", where,
+                     listed_names({unknown.begin(), unknown.end()})));
+  if (unknown.size() == splits.size()) return;
+  for (PosedPicture& picture : pictures) {
+    const auto found = splits.find(plain(picture.picture));
+    picture.split = found == splits.end() ? Split::kTraining : found->second;
+  }
 }
 
 std::vector<fs::path> write_posed_pictures(const LightField& field, const fs::path& folder) {

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "layout/posed_cameras.hpp"
@@ -24,6 +26,7 @@ struct PosedPicture {
   double angle_x = 0.0;                       ///< horizontal field of view; 0: not stated
   std::optional<Vec2d> depth_bounds_mm = {};  ///< nearest and farthest depth
   std::optional<Split> split = {};
+  std::optional<double> time = {};
 };
 
 /// The contents of a camera file.
@@ -53,6 +56,19 @@ LightField read_posed_pictures(const std::filesystem::path& folder, PosedSet set
 /// Throws Error naming `folder` if the cameras are unknown.
 std::vector<PosedPicture> listed_pictures(const LightField& field, const std::filesystem::path& folder);
 
+/// Returns the path of a picture. Some programs omit the extension: "./train/r_0" is r_0.png. Throws Error naming the entry if
+/// the file is missing.
+std::filesystem::path path_of_picture(const std::filesystem::path& folder, const PosedPicture& picture);
+
+/// Sets the splits of pictures by lists of their names, of which the first that has a name counts. Pictures in no list count as
+/// pictures for training. Warns about names without a picture. `where`: the file, for the message.
+struct SplitList {
+  Split split = Split::kTraining;
+  std::vector<std::string> names = {};
+};
+void set_splits(const std::vector<SplitList>& lists, std::vector<PosedPicture>& pictures, const std::string& where,
+                const std::function<void(std::string_view)>& warn);
+
 /// Writes images/000.png, ... and returns their paths, one per view.
 std::vector<std::filesystem::path> write_posed_pictures(const LightField& field, const std::filesystem::path& folder);
 
@@ -60,11 +76,12 @@ std::vector<std::filesystem::path> write_posed_pictures(const LightField& field,
 std::vector<PosedPicture> pictures_of_split(const std::vector<PosedPicture>& pictures, Split split);
 
 /// The file test.txt beside COLMAP's and LLFF's cameras lists the names of the pictures that are not for training, one per
-/// line. held_out_names() returns its contents. read_held_out_names() sets `split` of all pictures if the file exists and
-/// lists one of them.
+/// line. held_out_names() returns its contents. read_held_out_names() calls set_splits() if the file exists and lists a
+/// picture.
 std::string held_out_names(const std::vector<PosedPicture>& pictures);
 void write_held_out_names(const std::filesystem::path& file, const std::vector<PosedPicture>& pictures);
-void read_held_out_names(const std::filesystem::path& file, std::vector<PosedPicture>& pictures);
+void read_held_out_names(const std::filesystem::path& file, std::vector<PosedPicture>& pictures,
+                         const std::function<void(std::string_view)>& warn);
 
 /// Converts planar depth to the length of the ray through each pixel. 0 means no surface.
 Image ray_lengths(const Image& planar_depth, const PosedCamera& camera);

@@ -21,6 +21,7 @@ LightField with_rows_exchanged(const LightField& field) {
     const int other = view ^ kQuadTiles.columns;
     set_view(exchanged, view, view_of(field, other));
     if (field.depth) set_depth(exchanged, view, depth_of(field, other));
+    if (field.alpha) set_alpha(exchanged, view, alpha_of(field, other));
   }
   return exchanged;
 }

@@ -55,6 +55,7 @@ void reverse_views(LightField& field) {
     const int source = view + columns - 1 - 2 * (view % columns);
     set_view(field, view, view_of(from, source));
     if (field.depth) set_depth(field, view, depth_of(from, source));
+    if (field.alpha) set_alpha(field, view, alpha_of(from, source));
   }
 }
 

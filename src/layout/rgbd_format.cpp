@@ -96,7 +96,9 @@ RgbdSideFile side_of(const LightField& field, int view, const Image& depth, cons
   RgbdSideFile side;
   side.distance_mm = cameras.distance_mm;
   side.size_mm = cameras.pixel_mm * Vec2d(field.view_size);
-  side.eye_mm = cameras.eyes_mm.at(static_cast<std::size_t>(view));
+  // The file has no other origin than the middle of the picture.
+  const Vec2d middle_mm = (0.5 * Vec2d(field.view_size) - cameras.centre_px) * Vec2d(1.0, -1.0) * cameras.pixel_mm;
+  side.eye_mm = cameras.eyes_mm.at(static_cast<std::size_t>(view)) - middle_mm;
   side.coding.range = options.depth_range.value_or(range_of(depth, cameras.distance_mm));
   side.coding.even_in_depth = options.even_in_depth.value_or(false);
   side.coding.near_black = options.near_black.value_or(false);
@@ -126,11 +128,11 @@ Picture side_by_side(const Picture& colours, const Image& depth, const RgbdSideF
 }
 
 std::vector<fs::path> write_rgbd(const LightField& field, const fs::path& path, const FormatOptions& options) {
-  if (!field.cameras || !field.depth)
+  if (!field.cameras || !(field.depth || field.view_depth))
     throw usage_error("to", field.cameras ? "the views have no depth" : unknown_cameras(field),
                       "a render with `aov` depth, or a format that holds depth");
-  const int view = field.grid.rows / 2 * field.grid.columns + field.grid.columns / 2;
-  const Image depth = depth_of(field, view);
+  const int view = field.depth ? field.grid.rows / 2 * field.grid.columns + field.grid.columns / 2 : field.view_depth->view;
+  const Image depth = field.depth ? depth_of(field, view) : field.view_depth->depth;
   const RgbdSideFile side = side_of(field, view, depth, options);
   const fs::path named = with_rgbd_name(path);
   write_picture(named, side_by_side(view_of(field, view), depth, side));
@@ -169,7 +171,6 @@ LightField light_field_of_colours(Picture colours, Image greys, const fs::path& 
 LightFieldFormat rgbd_format() {
   return {.name = kRgbdFormat,
           .description = "the middle view's colours, with its depth as grey to their right",
-          .uses_cameras = true,
           .states_cameras = true,
           .read = read_rgbd,
           .write = write_rgbd,

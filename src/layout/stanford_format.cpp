@@ -58,6 +58,7 @@ LightField read_stanford(const fs::path& folder, const FormatOptions& options) {
   });
   field.positions = stanford_positions(by_view);
   if (options.fit_view) return field;  // views that fit_view has resized do not match the cameras
+  if (parameters) field.hci = parameters->notes;
   if (parameters && grid == ViewGrid{parameters->columns, parameters->rows})
     field.cameras =
         grid.count() == 1 ? hci_cameras(*parameters) : cameras_as_stated(stated_cameras(*parameters), field, folder.string());
@@ -97,7 +98,6 @@ std::vector<fs::path> write_stanford(const LightField& field, const fs::path& fo
   });
   std::optional<HciParameters> parameters = parameters_of(field, folder);
   if (!parameters) return written;
-  parameters->scene = folder.filename().string();
   written.push_back(write_hci_parameters(folder, *parameters));
   return written;
 }
@@ -108,9 +108,6 @@ LightFieldFormat stanford_format() {
   return {.name = "stanford",
           .description = "the Stanford archive's folder: out_{row}_{column}_{y}_{x}.png, from the top left",
           .is_folder = true,
-          .uses_cameras = true,
-          .keeps_positions = true,
-          .assumes_square_pixels = true,
           .read = read_stanford,
           .write = write_stanford};
 }

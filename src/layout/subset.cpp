@@ -35,8 +35,11 @@ LightField like(const LightField& field, ViewGrid grid, Vec2i view_size) {
   other.aspect = field.aspect, other.tiles = field.tiles, other.bits = field.bits;
   other.cameras = field.cameras, other.positions = field.positions, other.poses = field.poses;
   other.depth_bounds_mm = field.depth_bounds_mm, other.points = field.points, other.splits = field.splits;
+  other.times = field.times, other.view_depth = field.view_depth, other.hci = field.hci;
+  other.lacks_some_depth = field.lacks_some_depth;
   other.stack = blank(field.stack, stack_size(other));
   if (field.depth) other.depth = Image(view_size.x, view_size.y * grid.count(), 1);
+  if (field.alpha) other.alpha = Image(view_size.x, view_size.y * grid.count(), 1);
   return other;
 }
 
@@ -83,6 +86,12 @@ void crop(LightField& field, const Crop& window, const std::string& flag) {
       }
   move_pixels(field.stack, from, cropped.stack, {});
   if (field.depth) move_pixels(*field.depth, from, *cropped.depth, {});
+  if (field.alpha) move_pixels(*field.alpha, from, *cropped.alpha, {});
+  if (cropped.view_depth) {
+    cropped.view_depth->depth = Image(window.size.x, window.size.y, 1);
+    from.resize(static_cast<std::size_t>(window.size.x) * static_cast<std::size_t>(window.size.y));  // those of view 0
+    move_pixels(field.view_depth->depth, from, cropped.view_depth->depth, {});
+  }
   if (cropped.cameras) cropped.cameras->centre_px -= Vec2d(window.offset);
   if (cropped.poses)
     for (PosedCamera& camera : *cropped.poses) camera.size = window.size, camera.principal_px -= Vec2d(window.offset);
@@ -114,6 +123,10 @@ void keep(LightField& field, const KeptViews& kept, const std::string& flag) {
   if (fewer.poses) fewer.poses->clear();
   if (fewer.depth_bounds_mm) fewer.depth_bounds_mm->clear();
   if (fewer.splits) fewer.splits->clear();
+  if (fewer.times) fewer.times->clear();
+  fewer.view_depth.reset();
+  const int step = fewer.grid.columns > 1 ? kept.columns.step : kept.rows.step;
+  if (fewer.hci) fewer.hci->disparity_px *= step, fewer.hci->frustum_disparity_px *= step;
   int view = 0;
   for (const int row : rows)
     for (const int column : columns) {
@@ -121,11 +134,14 @@ void keep(LightField& field, const KeptViews& kept, const std::string& flag) {
       const auto at = static_cast<std::size_t>(source);
       set_view(fewer, view, view_of(field, source));
       if (field.depth) set_depth(fewer, view, depth_of(field, source));
+      if (field.alpha) set_alpha(fewer, view, alpha_of(field, source));
+      if (field.view_depth && field.view_depth->view == source) fewer.view_depth = {view, field.view_depth->depth};
       if (field.positions) fewer.positions->push_back((*field.positions)[at]);
       if (field.poses) fewer.poses->push_back((*field.poses)[at]);
       if (field.cameras) fewer.cameras->eyes_mm.push_back(field.cameras->eyes_mm[at]);
       if (field.depth_bounds_mm) fewer.depth_bounds_mm->push_back((*field.depth_bounds_mm)[at]);
       if (field.splits) fewer.splits->push_back((*field.splits)[at]);
+      if (field.times) fewer.times->push_back((*field.times)[at]);
       ++view;
     }
   field = std::move(fewer);

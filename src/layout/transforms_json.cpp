@@ -4,13 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <limits>
-#include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <utility>
 
 #include "core/json_fields.hpp"
 #include "core/json_text.hpp"
+#include "layout/picture_folder.hpp"
 #include "lippmann/core/error.hpp"
 
 namespace lippmann {
@@ -69,6 +71,7 @@ PosedPicture frame_from(const JsonFields& json, PosedPicture picture) {
   if (picture.camera.focal_px.x <= 0.0 && picture.angle_x <= 0.0)
     json.reject("fl_x", "is missing", "fl_x in pixels, or camera_angle_x in radians");
   read_matrix(json, picture.camera, picture.entry);
+  if (json.has("time")) picture.time = json.number("time");
   return picture;
 }
 
@@ -90,20 +93,84 @@ void write_intrinsics(const PosedCamera& camera, Json& json) {
 constexpr std::pair<const char*, Split> kLists[] = {
     {"test_filenames", Split::kTest}, {"val_filenames", Split::kValidation}, {"train_filenames", Split::kTraining}};
 
-/// Sets the splits of the pictures in the file's lists. A picture for testing may also be listed for validation. Pictures in no
-/// list count as pictures for training.
-void read_lists(const JsonFields& json, std::vector<PosedPicture>& pictures) {
-  std::map<std::string, Split> splits;
-  for (const auto& [key, split] : kLists)
-    for (std::string& name : json.texts_or_none(key)) {
+/// A picture for testing may also be listed for validation.
+void read_lists(const JsonFields& json, std::vector<PosedPicture>& pictures, const std::string& where,
+                const std::function<void(std::string_view)>& warn) {
+  std::vector<SplitList> lists;
+  std::set<std::string> listed;
+  for (const auto& [key, split] : kLists) {
+    SplitList& list = lists.emplace_back(SplitList{split, json.texts_or_none(key)});
+    for (std::string& name : list.names) {
       std::replace(name.begin(), name.end(), '\\', '/');
-      splits.emplace(std::move(name), split);
+      listed.insert(std::filesystem::path(name).lexically_normal().generic_string());
     }
-  if (splits.empty()) return;
-  for (PosedPicture& picture : pictures) {
-    const auto found = splits.find(picture.picture);
-    picture.split = found == splits.end() ? Split::kTraining : found->second;
   }
+  if (listed.empty()) return;
+  set_splits(lists, pictures, where, warn);
+  std::vector<std::string> unlisted;
+  for (const PosedPicture& picture : pictures)
+    if (!listed.contains(std::filesystem::path(picture.picture).lexically_normal().generic_string()))
+      unlisted.push_back(picture.picture);
+  if (!unlisted.empty() && warn)
+    warn(fmt::format("{}: these pictures count as training, because no list of file names has them: {}", where,
+                     listed_names(unlisted)));
+}
+
+/// Lists the keys of the document and of its frames that are not supported.
+void warn_of_other_keys(const Json& json, const std::string& where, const std::function<void(std::string_view)>& warn) {
+  if (!warn) return;
+  static const std::set<std::string_view> known{"w",
+                                                "h",
+                                                "fl_x",
+                                                "fl_y",
+                                                "cx",
+                                                "cy",
+                                                "camera_angle_x",
+                                                "camera_angle_y",
+                                                "k1",
+                                                "k2",
+                                                "k3",
+                                                "k4",
+                                                "p1",
+                                                "p2",
+                                                "is_fisheye",
+                                                "camera_model",
+                                                "frames",
+                                                "train_filenames",
+                                                "val_filenames",
+                                                "test_filenames",
+                                                "depth"};
+  static const std::set<std::string_view> known_of_frames{"w",
+                                                          "h",
+                                                          "fl_x",
+                                                          "fl_y",
+                                                          "cx",
+                                                          "cy",
+                                                          "camera_angle_x",
+                                                          "camera_angle_y",
+                                                          "k1",
+                                                          "k2",
+                                                          "k3",
+                                                          "k4",
+                                                          "p1",
+                                                          "p2",
+                                                          "is_fisheye",
+                                                          "camera_model",
+                                                          "file_path",
+                                                          "depth_file_path",
+                                                          "ray_length_file_path",
+                                                          "transform_matrix",
+                                                          "time"};
+  std::set<std::string> others, of_frames;
+  for (const auto& [key, value] : json.items())
+    if (!known.contains(key)) others.insert(key);
+  for (const Json& frame : json["frames"])
+    for (const auto& [key, value] : frame.items())
+      if (!known_of_frames.contains(key)) of_frames.insert(key);
+  std::string text = listed_names({others.begin(), others.end()});
+  if (!of_frames.empty())
+    text += (text.empty() ? "" : "; ") + ("of frames: " + listed_names({of_frames.begin(), of_frames.end()}));
+  if (!text.empty()) warn(fmt::format("{}: left out: {}", where, text));
 }
 
 /// Adds the lists of pictures that nerfstudio reads. nerfstudio requires all three lists.
@@ -126,7 +193,8 @@ bool same_intrinsics(const PosedCamera& a, const PosedCamera& b) {
 
 }  // namespace
 
-std::vector<PosedPicture> parse_transforms(const std::string& text, const std::string& where) {
+std::vector<PosedPicture> parse_transforms(const std::string& text, const std::string& where,
+                                           const std::function<void(std::string_view)>& warn) {
   constexpr std::size_t kMaxFrames = 65536;
   const Json json = json_from_text(text);
   if (json.is_discarded()) throw json_error(text, where);
@@ -145,7 +213,8 @@ std::vector<PosedPicture> parse_transforms(const std::string& text, const std::s
     common.entry = fmt::format("{}: {}", where, entry);
     pictures.push_back(frame_from(JsonFields(frames[i], where, entry), common));
   }
-  read_lists(fields, pictures);
+  read_lists(fields, pictures, where, warn);
+  warn_of_other_keys(json, where, warn);
   return pictures;
 }
 
@@ -168,6 +237,7 @@ std::string transforms_text(const std::vector<PosedPicture>& pictures) {
       frame["depth_file_path"] = picture.depth;
       frame["ray_length_file_path"] = ray_length_name(picture.depth);
     }
+    if (picture.time) frame["time"] = *picture.time;
     if (!is_common) write_intrinsics(picture.camera, frame);
     frame["transform_matrix"] = matrix_of(picture.camera);
     json["frames"].push_back(std::move(frame));

@@ -11,6 +11,8 @@
 #include "core/folder_entries.hpp"
 #include "core/platform.hpp"
 #include "core/regular_file.hpp"
+#include "image/read_image.hpp"
+#include "layout/picture_alpha.hpp"
 #include "layout/picture_samples.hpp"
 #include "lippmann/core/error.hpp"
 
@@ -104,7 +106,8 @@ namespace {
 
 using ViewReader = std::function<Picture(const fs::path&, int view)>;
 
-LightField read_each_view(const std::vector<fs::path>& by_view, ViewGrid grid, const ViewReader& read) {
+/// `with_alpha`: reads the opacities, too.
+LightField read_each_view(const std::vector<fs::path>& by_view, ViewGrid grid, bool with_alpha, const ViewReader& read) {
   LightField field;
   field.grid = grid;
   for (int view = 0; view < grid.count(); ++view) {
@@ -122,6 +125,8 @@ LightField read_each_view(const std::vector<fs::path>& by_view, ViewGrid grid, c
                   fmt::format("{}x{} pixels of the sample type of {}", field.view_size.x, field.view_size.y,
                               by_view.front().filename().string()));
     set_view(field, view, picture);
+    if (!with_alpha) continue;
+    if (const std::optional<Image> alpha = read_alpha(path)) set_alpha(field, view, *alpha);
   }
   return field;
 }
@@ -130,13 +135,13 @@ LightField read_each_view(const std::vector<fs::path>& by_view, ViewGrid grid, c
 
 LightField read_view_files(const std::vector<fs::path>& by_view, ViewGrid grid,
                            const std::function<Picture(const fs::path&)>& read) {
-  return read_each_view(by_view, grid, [&](const fs::path& path, int) { return read(path); });
+  return read_each_view(by_view, grid, true, [&](const fs::path& path, int) { return read(path); });
 }
 
 LightField read_view_files(const std::vector<fs::path>& by_view, ViewGrid grid, const FormatOptions& options,
                            const std::function<void(int view, Vec2i size)>& check_size) {
   const double pixel = options.pixel_aspect.value_or(1.0);  // width / height
-  LightField field = read_each_view(by_view, grid, [&](const fs::path& path, int view) {
+  LightField field = read_each_view(by_view, grid, !options.fit_view, [&](const fs::path& path, int view) {
     Picture picture = read_picture(path, options.warn);
     const Vec2i size = size_of(picture);
     if (check_size) check_size(view, size);
@@ -177,7 +182,8 @@ std::vector<fs::path> write_view_files(const LightField& field, const fs::path& 
   std::vector<fs::path> written;
   for (int view = 0; view < field.grid.count(); ++view) {
     written.push_back(folder / name(view));
-    write_picture(written.back(), view_of(field, view));
+    const std::optional<Image> alpha = field.alpha ? std::optional(alpha_of(field, view)) : std::nullopt;
+    write_picture(written.back(), view_of(field, view), alpha ? &*alpha : nullptr);
   }
   std::sort(written.begin(), written.end());
   return written;

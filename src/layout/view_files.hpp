@@ -63,8 +63,8 @@ bool has_all_depth_maps(const std::vector<std::filesystem::path>& maps, LightFie
 /// Returns "png" for integers, "exr" for floats.
 const char* exact_ending(const Picture& picture);
 
-/// Creates the folder, writes one file per view into it, and returns the files in the order of their names. name(view)
-/// returns a file name with extension.
+/// Creates the folder, writes one file per view with its opacities into it, and returns the files in the order of their names.
+/// name(view) returns a file name with extension.
 std::vector<std::filesystem::path> write_view_files(const LightField& field, const std::filesystem::path& folder,
                                                     const std::function<std::string(int view)>& name);
 

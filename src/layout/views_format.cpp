@@ -1,5 +1,5 @@
 // A folder of view_000.png, view_001.png, ..., or of pictures with arbitrary names. Views are numbered from the lower left as
-// in layout/view_layout.hpp. If pixels are not square, views.json states their shape (layout/views_side_file.hpp).
+// in layout/view_layout.hpp. views.json states rows of views, the shape of pixels and cameras (layout/views_side_file.hpp).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -56,14 +56,21 @@ std::vector<fs::path> views_in(const fs::path& folder, const FormatOptions& opti
 LightField read_views(const fs::path& folder, const FormatOptions& options) {
   const std::vector<fs::path> by_view = views_in(folder, options);
   const int count = static_cast<int>(by_view.size());
-  const ViewGrid grid = options.views.value_or(ViewGrid{count, 1});
+  const std::optional<ViewsSideFile> side = read_views_side_file(folder);
+  if (side && side->grid && side->grid->count() != count)
+    throw Error((folder / "views.json").string(),
+                fmt::format("states {}x{} views, but the folder has {}", side->grid->columns, side->grid->rows, count),
+                "columns and rows of the pictures, or no views.json");
+  const ViewGrid grid = options.views.value_or(side && side->grid ? *side->grid : ViewGrid{count, 1});
   if (grid.count() != count)
     throw usage_error("views",
                       fmt::format("{}x{} does not match the {} views in {}", grid.columns, grid.rows, count, folder.string()));
   FormatOptions reading = options;
-  if (const std::optional<double> stated = read_pixel_aspect(folder)) reading.pixel_aspect = stated;
+  if (side && side->pixel_aspect) reading.pixel_aspect = side->pixel_aspect;
   LightField field = read_view_files(by_view, grid, reading);
-  if (options.with_depth && !options.fit_view) read_depth(by_view, options, field);
+  if (options.fit_view) return field;  // views that fit_view has resized do not match the cameras and the depth
+  if (side) field.positions = side->positions, field.cameras = side->cameras;
+  if (options.with_depth) read_depth(by_view, options, field);
   return field;
 }
 
@@ -72,7 +79,10 @@ std::vector<fs::path> write_views(const LightField& field, const fs::path& folde
   std::vector<fs::path> written =
       write_view_files(field, folder, [&](int view) { return fmt::format("view_{:03}.{}", view, ending); });
   const double aspect = pixel_aspect(field);
-  if (aspect != 1.0 || has_views_side_file(folder)) written.push_back(write_pixel_aspect(folder, aspect));
+  const bool has_facts = field.grid.rows > 1 || aspect != 1.0 || field.positions || field.cameras;
+  if (has_facts || has_views_side_file(folder))
+    written.push_back(write_views_side_file(
+        folder, {field.grid, aspect != 1.0 ? std::optional(aspect) : std::nullopt, field.positions, field.cameras}));
   return written;
 }
 

@@ -153,7 +153,7 @@ Optics quilt_for(Display display, const LightField& field, const LightFieldHints
 LightFieldFrames of_format(LightFieldFrames frames, const LightFieldSource& source, const LightFieldHints& hints) {
   const fs::path& first = frames.files.front();
   const LightField field = source.format->read(first, source.options);
-  if (field.cameras) {
+  if (has_camera_grid(field)) {
     refuse_stated_cameras(hints, first);
     frames.optics = optics_of_cameras(field, first.string());
   } else if (hints.display && !hints.is_other_display) {
@@ -190,10 +190,16 @@ RenderedPanel panel_of(const LightField& field, const Optics& optics, const std:
   return rendered;
 }
 
+bool has_camera_grid(const LightField& field) {
+  if (!field.cameras) return false;
+  const std::optional<double> baseline = common_baseline_mm(*field.cameras, field.grid);
+  return baseline && (field.grid.count() == 1 || *baseline > 0.0);
+}
+
 Optics optics_of_cameras(const LightField& field, const std::string& where) {
   const ViewCameras& cameras = *field.cameras;
   const std::optional<double> baseline = common_baseline_mm(cameras, field.grid);
-  if (!baseline || (field.grid.count() > 1 && !(*baseline > 0.0)))
+  if (!has_camera_grid(field))
     throw Error(where, "its cameras do not stand in a regular grid", "cameras that are equally far apart across and up");
   Vec2d middle(0.0);
   for (const Vec2d& eye : cameras.eyes_mm) middle += eye / static_cast<double>(cameras.eyes_mm.size());
@@ -244,9 +250,11 @@ Optics assumed_optics(const LightField& field, std::optional<double> view_angle_
 
 std::string describe_assumed_optics(const LightField& field, const Optics& optics, std::optional<double> view_angle_deg,
                                     const std::string& where) {
-  std::string text =
-      fmt::format("The cameras of {} {}. Assumed: a display {:.4g} mm high, seen from {:.4g} mm", where,
-                  field.poses ? "do not share a plane and a window" : "are unknown", kWindowHeightMm, kDistanceMm);
+  std::string text = fmt::format("The cameras of {} {}. Assumed: a display {:.4g} mm high, seen from {:.4g} mm", where,
+                                 field.poses     ? "do not share a plane and a window"
+                                 : field.cameras ? "are not equally far apart"
+                                                 : "are unknown",
+                                 kWindowHeightMm, kDistanceMm);
   if (const std::string spacing = view_spacing(optics); !spacing.empty())
     text += ", and " + spacing;
   else if (!view_angle_deg)

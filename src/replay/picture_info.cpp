@@ -49,8 +49,8 @@ fs::path side_file_of(const fs::path& path) {
   std::error_code ignored;
   std::vector<fs::path> candidates;
   if (fs::is_directory(path, ignored))
-    candidates = {path / "cameras.json",     path / "parameters.cfg", path / "transforms.json",
-                  path / "poses_bounds.npy", path / "report.json",    path.parent_path() / "report.json"};
+    candidates = {path / "cameras.json", path / "parameters.cfg", path / "transforms.json",          path / "poses_bounds.npy",
+                  path / "views.json",   path / "report.json",    path.parent_path() / "report.json"};
   else
     candidates = {fs::path(path) += ".json", path.parent_path() / "report.json"};
   const auto found = std::find_if(candidates.begin(), candidates.end(), is_regular_file_there);

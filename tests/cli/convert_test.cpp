@@ -73,9 +73,35 @@ TEST(Convert, dropped_camera_positions_are_reported) {
   const auto warning = [&](const std::string& to) {
     return run_tool(dir, {"convert", "s", to == "eslf" ? "e.png" : "h", "--to", to}).err;
   };
-  EXPECT_THAT(warning("hci"), HasSubstr("camera positions are left out: the distance of the zero plane is unknown"));
-  EXPECT_THAT(warning("jpeg-pleno"), HasSubstr("camera positions are left out: jpeg-pleno cannot store them"));
+  EXPECT_THAT(warning("hci"), HasSubstr("not written, because hci cannot store them: camera positions without a unit"));
+  EXPECT_THAT(warning("jpeg-pleno"), HasSubstr("because jpeg-pleno cannot store them: camera positions without a unit"));
   EXPECT_EQ(warning("eslf"), "");
+}
+
+TEST(Convert, views_keep_grid_and_cameras) {
+  const TempDir dir;
+  expect_done(dir, {"render", "room", "--optics", "multiview", "--camera-grid", "--views", "3x2", "--size", "48x32",
+                    "--view-angle", "4", "--frames", "0", "-o", "r"});
+  const RunResult run = run_tool(dir, {"convert", "r/frame_0000.png", "v", "--to", "views"});
+  EXPECT_EQ(run.err, "");
+  const Json info = report_of(dir, {"info", "v"}), of_render = report_of(dir, {"info", "r/frame_0000.png"});
+  EXPECT_EQ(info["views"], Json({3, 2}));
+  EXPECT_EQ(info["cameras"], of_render["cameras"]);
+  EXPECT_THAT(info["cameras"].get<std::string>(), HasSubstr("mm apart"));
+  EXPECT_EQ(info["side_file"], "v/views.json");
+  expect_done(dir, {"convert", "v", "hci", "--to", "hci"});
+  EXPECT_TRUE(fs::exists(dir / "hci/parameters.cfg"));
+  EXPECT_THAT(run_tool(dir, {"convert", "v", "q", "--to", "quilt"}).err,
+              HasSubstr("not written, because quilt cannot store them: the cameras of 6 views"));
+}
+
+TEST(Convert, rendered_lenses_of_fractional_pitch_become_views) {
+  const TempDir dir;
+  expect_done(dir, {"render", "room", "--optics", "microlens", "--lenses", "12x9", "--lens-pixels", "4.135", "--spp", "1",
+                    "--frames", "0", "-o", "r"});
+  const Json views = report_of(dir, {"convert", "r", "v", "--to", "views"});
+  EXPECT_EQ(views["views"], Json({4, 4}));
+  EXPECT_THAT(report_of(dir, {"info", "v"})["cameras"].get<std::string>(), HasSubstr("mm apart"));
 }
 
 TEST(Convert, failure_leaves_no_folder) {

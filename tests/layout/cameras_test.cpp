@@ -130,13 +130,14 @@ TEST(HciDisparity, equals_point_motion_between_grid_views) {
 
 TEST(HciParameters, text_brings_back_what_was_written) {
   HciParameters p = by_hand();
-  p.columns = 9, p.rows = 7, p.scene = "room", p.disparity_min = -1.25, p.disparity_max = 2.5;
+  p.columns = 9, p.rows = 7;
+  p.notes = {.centre_camera_m = Vec3d(0.5, -1.0, 3.0), .scene = "room", .authors = "Ada", .disparity_px = {-1.25, 2.5}};
   const std::string text = hci_parameters_text(p);
   const HciParameters back = parse_hci_parameters(text, "a");
   EXPECT_EQ(hci_parameters_text(back), text);
   EXPECT_EQ(back.columns, 9);
   EXPECT_EQ(back.focus_distance_m, 1.15);
-  EXPECT_EQ(back.scene, "room");
+  EXPECT_EQ(back.notes, p.notes);
   EXPECT_THAT(text,
               AllOf(HasSubstr("[intrinsics]"), HasSubstr("[extrinsics]"), HasSubstr("[meta]"), HasSubstr("offset = 7.632")));
 }

@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 
 #include <fstream>
+#include <functional>
+#include <numbers>
 
 #include "core/regular_file.hpp"
 #include "image/png.hpp"
@@ -9,6 +11,7 @@
 #include "light_fields.hpp"
 #include "lippmann/layout/convert.hpp"
 #include "lippmann/layout/formats.hpp"
+#include "lippmann/layout/subset.hpp"
 #include "support/error_message.hpp"
 #include "support/temp_dir.hpp"
 
@@ -145,7 +148,7 @@ TEST(LostDepth, missing_map_is_named) {
     EXPECT_TRUE(result.field.lacks_some_depth) << format;
     return result.warnings;
   };
-  EXPECT_THAT(warnings_of("hci", {"gt_depth_lowres_Cam007.pfm"}),
+  EXPECT_THAT(warnings_of("hci", {"gt_depth_lowres_Cam007.pfm", "gt_disp_lowres_Cam007.pfm"}),
               ElementsAre(HasSubstr("gt_depth_lowres_Cam007.pfm is missing, so the depth of all views is left out")));
   EXPECT_THAT(warnings_of("cvkit", {"view_003_disp.pfm", "view_005_disp.pfm"}),
               ElementsAre(HasSubstr("view_003_disp.pfm and 1 more of 9 depth maps are missing")));
@@ -172,7 +175,7 @@ TEST(LostDepth, folders_without_depth_give_no_warning) {
 }
 
 TEST(LostDepth, conversion_warns_once) {
-  const Damaged hci("hci", {"gt_depth_lowres_Cam007.pfm"});
+  const Damaged hci("hci", {"gt_depth_lowres_Cam007.pfm", "gt_disp_lowres_Cam007.pfm"});
   const Converted converted = convert(hci.dir / "in", hci.dir / "out", {.from = "hci", .to = "miv"});
   EXPECT_FALSE(converted.lacks_depth) << "the reader has warned";
 }
@@ -187,6 +190,109 @@ TEST(LostDepth, resized_views_need_no_depth) {
     EXPECT_EQ(field.view_size, Vec2i(1)) << format;
     EXPECT_FALSE(field.depth || field.cameras) << format;
   }
+}
+
+void remove_maps(const fs::path& folder, const std::function<bool(const std::string&)>& is_removed) {
+  std::vector<fs::path> removed;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+    if (entry.path().extension() == ".pfm" && is_removed(entry.path().filename().string())) removed.push_back(entry.path());
+  for (const fs::path& path : removed) fs::remove(path);
+}
+
+TEST(HciDepth, depth_of_one_view_is_kept) {
+  const auto expect_kept = [](const std::function<bool(const std::string&)>& is_removed, int view, const char* map) {
+    const Damaged whole("hci", {});
+    remove_maps(whole.dir / "in", is_removed);
+    const Read before = read("hci", whole.dir / "in");
+    EXPECT_THAT(before.warnings, IsEmpty()) << map;
+    EXPECT_FALSE(before.field.depth) << map;
+    ASSERT_TRUE(before.field.view_depth) << map;
+    EXPECT_EQ(before.field.view_depth->view, view) << map;
+    EXPECT_NEAR(before.field.view_depth->depth.data[0], -250.0f, 1e-2) << map;
+    const Converted converted = convert(whole.dir / "in", whole.dir / "out", {.from = "hci", .to = "hci"});
+    EXPECT_THAT(converted.left_out, IsEmpty()) << map;
+    EXPECT_FALSE(converted.lacks_depth) << map;
+    EXPECT_TRUE(is_regular_file_there(whole.dir / "out" / map)) << map;
+    EXPECT_THAT(convert(whole.dir / "in", whole.dir / "miv", {.from = "hci", .to = "miv"}).left_out,
+                ElementsAre("the depth of one view"));
+  };
+  // The middle view of 3 x 3 views is view 4. View 0 is the lower left one, number 6 from the top left.
+  expect_kept([](const std::string& name) { return name.find("_Cam") != std::string::npos; }, 4, "gt_depth_lowres.pfm");
+  expect_kept([](const std::string& name) { return name != "gt_disp_lowres.pfm"; }, 4, "gt_disp_lowres.pfm");
+  expect_kept([](const std::string& name) { return name != "gt_depth_lowres_Cam006.pfm"; }, 0, "gt_depth_lowres_Cam006.pfm");
+}
+
+TEST(HciDepth, disparity_replaces_missing_depth) {
+  const Damaged whole("hci", {});
+  remove_maps(whole.dir / "in", [](const std::string& name) { return name.starts_with("gt_depth"); });
+  const LightField field = read("hci", whole.dir / "in").field;
+  ASSERT_TRUE(field.depth);
+  for (const float z : field.depth->data) ASSERT_NEAR(z, -250.0f, 1e-2);
+}
+
+TEST(HciDepth, subset_moves_the_depth_of_one_view) {
+  LightField field = nine_views();
+  field.view_depth = ViewDepth{4, depth_of(field, 4)};
+  field.depth.reset();
+  LightField corner = field;
+  keep(corner, read_kept_views("1-2x1-2", "keep"), "keep");
+  ASSERT_TRUE(corner.view_depth);
+  EXPECT_EQ(corner.view_depth->view, 0);
+  keep(corner, read_kept_views("1x1", "keep"), "keep");
+  EXPECT_FALSE(corner.view_depth) << "its view is not kept";
+  crop(field, read_crop("3x2+1+1", "crop"), "crop");
+  EXPECT_EQ(field.view_depth->depth.data.size(), 6u);
+}
+
+/// Returns views with notes as in a data set of HCI.
+LightField noted_views() {
+  LightField field = nine_views();
+  field.hci = HciNotes{.centre_camera_m = Vec3d(1.5, -2.0, 3.0),
+                       .centre_camera_rad = Vec3d(0.0, 0.0, 0.5 * std::numbers::pi),
+                       .scene = "cotton",
+                       .category = "training",
+                       .authors = "Ada",
+                       .disparity_px = {-1.5, 2.0},
+                       .frustum_disparity_px = {-3.0, 4.0},
+                       .depth_map_scale = 10.0};
+  return field;
+}
+
+TEST(HciNotes, entries_are_kept_or_named) {
+  const TempDir dir;
+  hci_format().write(noted_views(), dir / "in", {});
+  const std::string before = read_file_text(dir / "in/parameters.cfg", 1 << 20);
+  for (const char* line : {"center_cam_y_m = -2\n", "center_cam_rz_rad = 1.57", "scene = cotton\n", "category = training\n",
+                           "authors = Ada\n", "disp_min = -1.5\n", "frustum_disp_max = 4\n", "depth_map_scale = 10\n"})
+    EXPECT_THAT(before, HasSubstr(line));
+  EXPECT_THAT(convert(dir / "in", dir / "out", {.from = "hci", .to = "hci"}).left_out, IsEmpty());
+  EXPECT_EQ(read_file_text(dir / "out/parameters.cfg", 1 << 20), before);
+  EXPECT_THAT(convert(dir / "in", dir / "miv", {.from = "hci", .to = "miv"}).left_out,
+              ElementsAre("entries of parameters.cfg: center_cam, category, authors"));
+}
+
+TEST(HciNotes, usual_entries_are_not_named) {
+  const Damaged hci("hci", {});
+  EXPECT_THAT(convert(hci.dir / "in", hci.dir / "miv", {.from = "hci", .to = "miv"}).left_out, IsEmpty());
+}
+
+/// The middle of the kept cameras is 10 mm to the right and 10 mm above that of all cameras. Cameras that are turned by 90
+/// degrees about z have their x axis along the y axis of the scene.
+TEST(HciNotes, subset_moves_the_centre_and_scales_disparities) {
+  const TempDir dir;
+  hci_format().write(noted_views(), dir / "in", {});
+  const HciNotes before = noted_views().hci.value();
+  ConvertParams params{.from = "hci", .to = "hci"};
+  params.keep = read_kept_views("1-2x1-2", "keep");
+  EXPECT_THAT(convert(dir / "in", dir / "out", params).left_out, ElementsAre(HasSubstr("20 x 20 pixels off the axes")));
+  const Vec3d moved = read("hci", dir / "out").field.hci->centre_camera_m.value() - before.centre_camera_m.value();
+  EXPECT_LT(glm::distance(moved, Vec3d(-0.01, 0.01, 0.0)), 1e-9);
+  params.keep = read_kept_views("0-2:2x0-2:2", "keep");
+  convert(dir / "in", dir / "half", params);
+  const HciNotes half = read("hci", dir / "half").field.hci.value();
+  EXPECT_EQ(half.centre_camera_m, before.centre_camera_m);
+  EXPECT_EQ(half.disparity_px, 2.0 * before.disparity_px);
+  EXPECT_EQ(half.frustum_disparity_px, 2.0 * before.frustum_disparity_px);
 }
 
 TEST(PixelAspect, follows_cameras_and_side_files) {

@@ -33,13 +33,10 @@ struct Converted {
   std::vector<std::filesystem::path> written{};
   ViewGrid views{};
   Vec2i view_size{0, 0};
-  bool drops_positions = false;            ///< the output format cannot store the input's camera positions
-  bool drops_poses = false;                ///< the output format cannot store the input's LightField::poses
-  std::vector<std::string> left_out = {};  ///< data that the output format cannot store, such as "12 points"
+  std::vector<std::string> left_out = {};  ///< data that the output format cannot store (kept_data.hpp), such as "12 points"
   std::string fitted = {};                 ///< how views were resampled for a display; empty: not resampled
   std::string too_coarse = {};             ///< result of ViewFitter::coarseness()
-  double lost_pixel_aspect = 1.0;  ///< width / height of the pixels, if the output format assumes square pixels; otherwise 1
-  /// True: the output format can store the cameras or the depth of views, but the input has none.
+  /// True: the output format has files for cameras or depth, which are not written because the input has none.
   bool lacks_cameras = false, lacks_depth = false;
 };
 

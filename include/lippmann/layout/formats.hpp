@@ -62,19 +62,12 @@ struct FormatUses {
        stereo = false, depth_coding = false, plenoptic = false;
 };
 
-/// A format for one light field, in a picture or a folder `path`.
+/// A format for one light field, in a picture or a folder `path`. kept_data.hpp has the data that each format keeps.
 struct LightFieldFormat {
   std::string_view name{};
-  std::string_view description{};      ///< one line for users
-  bool is_folder = false;              ///< a folder with one or more files per view; otherwise one picture
-  bool uses_cameras = false;           ///< the writer stores cameras and depth if the light field has them
-  bool keeps_positions = false;        ///< the files can hold camera positions without a unit
-  bool keeps_poses = false;            ///< the files can hold LightField::poses
-  bool keeps_points = false;           ///< the files can hold LightField::points
-  bool keeps_depth_bounds = false;     ///< the files can hold LightField::depth_bounds_mm
-  bool keeps_splits = false;           ///< the files can hold LightField::splits
-  bool assumes_square_pixels = false;  ///< the files cannot state the shape of pixels
-  bool states_cameras = false;         ///< the files contain cameras, so a report.json beside them is ignored
+  std::string_view description{};  ///< one line for users
+  bool is_folder = false;          ///< a folder with one or more files per view; otherwise one picture
+  bool states_cameras = false;     ///< the files contain cameras, so a report.json beside them is ignored
   /// Throws Error naming the file or the option.
   LightField (*read)(const std::filesystem::path& path, const FormatOptions& options) = nullptr;
   /// Writes a light field and returns the files written, pictures first. Creates folders. Throws Error naming the file or the

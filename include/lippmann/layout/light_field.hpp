@@ -25,6 +25,25 @@ struct CloudPoint {
 /// The part of a data set that a view belongs to.
 enum class Split { kTraining, kValidation, kTest };
 
+/// Depth of a single view.
+struct ViewDepth {
+  int view = 0;
+  Image depth{};  ///< as LightField::depth, for this view
+};
+
+/// Entries of HCI's parameters.cfg that LightField has no other member for. The defaults are those of files that we write.
+struct HciNotes {
+  double fstop = 100.0;
+  /// Pose of the middle camera in its scene: position, and Euler angles about x, then y, then z.
+  std::optional<Vec3d> centre_camera_m = {};
+  Vec3d centre_camera_rad{0.0};
+  std::string scene{}, category = "synthetic", date{}, version = "v0", authors{}, contact{};
+  Vec2d disparity_px{0.0}, frustum_disparity_px{0.0};  ///< least and greatest, between neighbouring cameras; both 0: unknown
+  double depth_map_scale = 1.0;
+
+  bool operator==(const HciNotes&) const = default;
+};
+
 struct LightField {
   Picture stack{};  ///< views stacked vertically, view 0 on top
   ViewGrid grid{};
@@ -44,6 +63,11 @@ struct LightField {
   std::optional<std::vector<Vec2d>> depth_bounds_mm = {};
   std::vector<CloudPoint> points = {};            ///< points of the file (COLMAP), in the coordinates of `poses` or `cameras`
   std::optional<std::vector<Split>> splits = {};  ///< one per view; none: the file has no split
+  std::optional<std::vector<double>> times = {};  ///< one per view, in the file's unit (nerf)
+  std::optional<ViewDepth> view_depth = {};       ///< depth of the only view that has depth, if the grid has more views
+  /// Stack of opacities (1 channel, 0 to 1); none: opaque. Colours of codes are not multiplied by them, floats are.
+  std::optional<Image> alpha = {};
+  std::optional<HciNotes> hci = {};
   bool lacks_some_depth = false;  ///< true: `depth` is none because only some views have depth; the reader has warned
 };
 
@@ -67,13 +91,16 @@ void move_pixels(const Picture& from, const std::vector<std::uint32_t>& from_pix
 void move_pixels(const Image& from, const std::vector<std::uint32_t>& from_pixel, Image& to,
                  const std::vector<std::uint32_t>& to_pixel);
 
-/// Return one view of the stack, or the depth of one view.
+/// Return one view of the stack, or the depth or the opacities of one view.
 Picture view_of(const LightField& field, int view);
 Image depth_of(const LightField& field, int view);
+Image alpha_of(const LightField& field, int view);
 
-/// Replace one view, or the depth of one view. `picture` must have the size and sample type of the views, `depth` 1 channel.
+/// Replace one view, or the depth or the opacities of one view. `picture` must have the size and sample type of the views,
+/// `depth` and `alpha` 1 channel. If no view had opacities before, the others become opaque.
 void set_view(LightField& field, int view, const Picture& picture);
 void set_depth(LightField& field, int view, const Image& depth);
+void set_alpha(LightField& field, int view, const Image& alpha);
 
 /// Index of view v counted from the top left, row by row.
 inline int from_top_left(const ViewGrid& grid, int v) {

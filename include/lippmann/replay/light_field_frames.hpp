@@ -60,6 +60,9 @@ LightFieldFrames find_light_field_frames(const std::filesystem::path& in, const 
 /// views differs from that of the optics, or if the views of the optics do not consist of whole pixels.
 RenderedPanel panel_of(const LightField& field, const Optics& optics, const std::string& where);
 
+/// Returns whether the cameras of the views are known and form a regular grid.
+bool has_camera_grid(const LightField& field);
+
 /// Returns optics with the cameras of the views. Throws Error naming `where` unless the cameras form a regular grid centred on
 /// the display's axis.
 Optics optics_of_cameras(const LightField& field, const std::string& where);
