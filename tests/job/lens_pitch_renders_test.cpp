@@ -81,38 +81,36 @@ std::array<Vec2d, 4> squares_in(const LightField& field, int view) {
   return found;
 }
 
-TEST_F(LensPitchRenders, views_do_not_drift_from_corner_to_corner) {
-  for (const double behind_mm : {0.0, 10.0}) {
-    const LightField field = views_with_pitch(render_squares(behind_mm), kPitchPx);
-    ASSERT_EQ(field.view_size, kLenses);
-    // Pixels are 1 / 10.135 mm wide and lie 2.0054 mm behind the lenses, where the viewing zone of 28 degrees is one lens wide.
-    const double lenses_per_view = behind_mm / (kPitchPx * 2.0054);
-    for (int view = 0; view < field.grid.count(); ++view) {
-      const std::array<Vec2d, 4> found = squares_in(field, view);
-      // Objects behind the array move with the eye. The eyes of row 0 are the lowest.
-      const Vec2d eye(view % kViews - kViews / 2, kViews / 2 - view / kViews);
-      for (std::size_t i = 0; i < 4; ++i) {
-        const Vec2d expected = kCorners[i] + lenses_per_view * eye;
-        EXPECT_NEAR(found[i].x, expected.x, 0.5) << view << " corner " << i;
-        EXPECT_NEAR(found[i].y, expected.y, 0.5) << view << " corner " << i;
-      }
+/// Expects the squares `behind_mm` behind the array in their places in all views.
+void expect_in_place(const LightField& field, double behind_mm) {
+  ASSERT_EQ(field.view_size, kLenses);
+  // Pixels are 1 / 10.135 mm wide and lie 2.0054 mm behind the lenses, where the viewing zone of 28 degrees is one lens wide.
+  const double lenses_per_view = behind_mm / (kPitchPx * 2.0054);
+  for (int view = 0; view < field.grid.count(); ++view) {
+    const std::array<Vec2d, 4> found = squares_in(field, view);
+    // Objects behind the array move with the eye. The eyes of row 0 are the lowest.
+    const Vec2d eye(view % kViews - kViews / 2, kViews / 2 - view / kViews);
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Vec2d expected = kCorners[i] + lenses_per_view * eye;
+      EXPECT_NEAR(found[i].x, expected.x, 0.5) << view << " corner " << i;
+      EXPECT_NEAR(found[i].y, expected.y, 0.5) << view << " corner " << i;
     }
   }
 }
 
+TEST_F(LensPitchRenders, views_do_not_drift_from_corner_to_corner) {
+  for (const double behind_mm : {0.0, 10.0}) expect_in_place(views_with_pitch(render_squares(behind_mm), kPitchPx), behind_mm);
+}
+
 TEST_F(LensPitchRenders, report_states_the_lens_grid) {
-  const std::filesystem::path picture = render_squares(10.0);
-  const OpenedLightField opened = open_light_field(picture, "", {.views = ViewGrid{kViews, kViews}});
+  const OpenedLightField opened = open_light_field(render_squares(10.0), "", {.views = ViewGrid{kViews, kViews}});
   EXPECT_EQ(opened.format, "plenoptic");
-  const LightField stated = views_with_pitch(picture, kPitchPx);
-  ASSERT_EQ(opened.field.view_size, stated.view_size);
-  const auto& found = std::get<Image8>(opened.field.stack).rgb;
-  const auto& expected = std::get<Image8>(stated.stack).rgb;
-  for (std::size_t i = 0; i < found.size(); ++i) ASSERT_NEAR(found[i], expected[i], 2) << i;
+  expect_in_place(opened.field, 10.0);
   EXPECT_FALSE(opened.field.cameras) << "parallel projections";
 }
 
-/// The plane of the array is 24 units high at 100 units from the scene's camera, so at 100 mm a unit is a millimetre.
+/// The plane of the array is 24 units high at 100 units from the scene's camera, so at 100 mm a unit is a millimetre. Views
+/// have one sample per lens, so a centroid errs by up to half a lens; the whole pixels of the panel add 0.05 lenses.
 TEST_F(LensPitchRenders, report_states_the_cameras) {
   const LightField field = open_light_field(render_squares(10.0, "100"), "", {.views = ViewGrid{kViews, kViews}}).field;
   ASSERT_TRUE(field.cameras);
@@ -122,8 +120,8 @@ TEST_F(LensPitchRenders, report_states_the_cameras) {
     const std::array<Vec2d, 4> found = squares_in(field, view);
     for (std::size_t i = 0; i < 4; ++i) {
       const Vec3d centre(kCorners[i].x - 0.5 * kLenses.x, 0.5 * kLenses.y - kCorners[i].y, -10.0);
-      EXPECT_LT(glm::distance(found[i], projected(cameras[static_cast<std::size_t>(view)], centre)), 0.5)
-          << view << " corner " << i;
+      const Vec2d error = found[i] - projected(cameras[static_cast<std::size_t>(view)], centre);
+      EXPECT_LT(std::max(std::abs(error.x), std::abs(error.y)), 0.55) << view << " corner " << i;
     }
   }
 }

@@ -34,7 +34,8 @@ TEST_F(LightFieldRenders, formats_equal_conversion_of_the_render) {
        {"hci", "stanford", "jpeg-pleno", "miv", "nerf", "colmap", "eslf", "views", "integral", "quilt", "cvkit", "lytro"}) {
     convert("film", "converted-" + format, format);
     render(job("teapot", format, kGrid + Settings{{"to", format}}));
-    const Files converted = pictures_below(dir_ / ("converted-" + format));
+    Files converted = pictures_below(dir_ / ("converted-" + format));
+    std::erase_if(converted, [](const auto& file) { return file.first.ends_with("views.json"); });  // report.json of renders
     EXPECT_FALSE(converted.empty());
     Files made = pictures_below(dir_ / format);
     std::erase_if(made, [](const auto& file) { return !file.first.starts_with("frame_"); });

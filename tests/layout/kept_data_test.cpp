@@ -79,11 +79,13 @@ LightField with_depth_of(int view, ViewGrid grid) {
   return field;
 }
 
-/// Returns one light field for each set of data that excludes another one.
+/// Returns one light field for each set of data that excludes another one. Single views have fewer sets.
 std::vector<LightField> all_fields(ViewGrid grid) {
-  std::vector<LightField> fields{base_field(grid), with_cameras(grid), with_poses(grid)};
-  for (int view = 0; view < 2 && grid.count() > 1; ++view) fields.push_back(with_depth_of(view, grid));
+  std::vector<LightField> fields{with_cameras(grid)};
   fields.emplace_back(with_cameras(grid)).cameras->centre_px += Vec2d(1.0, -0.5);
+  if (grid.count() == 1) return fields;
+  fields.push_back(base_field(grid)), fields.push_back(with_poses(grid));
+  for (const int view : {0, 1}) fields.push_back(with_depth_of(view, grid));
   LightField& wide = fields.emplace_back(with_cameras(grid));
   wide.cameras->pixel_mm = {1.0, 0.5}, wide.aspect *= 2.0;
   return fields;
