@@ -61,7 +61,6 @@ LightFieldFormat eslf_format() {
   return {
       .name = "eslf",
       .description = "plenoptic camera: view (u, v) from the top left is every N-th pixel from (u, v); `views` such as 14x14",
-      .keeps_positions = true,
       .read = read_eslf,
       .write = write_eslf,
       .reads = {.views = true}};
