@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "lippmann/layout/formats.hpp"
+#include "lippmann/formats/formats.hpp"
 
 namespace lippmann::app {
 

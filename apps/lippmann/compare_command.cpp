@@ -16,8 +16,8 @@
 #include "core/atomic_file.hpp"
 #include "core/folder.hpp"
 #include "core/frame_ranges.hpp"
+#include "formats/rendered.hpp"
 #include "job/params.hpp"
-#include "layout/rendered.hpp"
 
 namespace lippmann::app {
 namespace {

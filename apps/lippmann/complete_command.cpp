@@ -10,7 +10,7 @@
 #include "apps/lippmann/commands.hpp"
 #include "job/params_table.hpp"
 #include "lippmann/display/load_display.hpp"
-#include "lippmann/layout/formats.hpp"
+#include "lippmann/formats/formats.hpp"
 #include "lippmann/scene/builtin.hpp"
 
 namespace lippmann::app {

@@ -7,14 +7,14 @@
 #include <string_view>
 #include <utility>
 
-#include "layout/light_field_source.hpp"
-#include "layout/rendered.hpp"
-#include "layout/rgbd_name.hpp"
+#include "formats/light_field_source.hpp"
+#include "formats/rendered.hpp"
+#include "formats/rgbd_name.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/display/load_display.hpp"
+#include "lippmann/formats/kept_data.hpp"
+#include "lippmann/formats/quilt_name.hpp"
 #include "lippmann/layout/display_picture.hpp"
-#include "lippmann/layout/kept_data.hpp"
-#include "lippmann/layout/quilt_name.hpp"
 #include "replay/depth_frames.hpp"
 #include "replay/no_light_field.hpp"
 #include "video/video_reader.hpp"

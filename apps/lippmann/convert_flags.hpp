@@ -13,7 +13,7 @@
 #include "apps/lippmann/sheet_flags.hpp"
 #include "apps/lippmann/stereo_flags.hpp"
 #include "apps/lippmann/view_filter_flags.hpp"
-#include "lippmann/layout/formats.hpp"
+#include "lippmann/formats/formats.hpp"
 
 namespace lippmann::app {
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "lippmann/core/context.hpp"
-#include "lippmann/layout/formats.hpp"
+#include "lippmann/formats/formats.hpp"
 #include "replay/depth_frames.hpp"
 
 namespace lippmann::app {

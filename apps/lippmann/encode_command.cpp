@@ -16,8 +16,8 @@
 #include "core/folder.hpp"
 #include "core/frame_ranges.hpp"
 #include "core/printable.hpp"
+#include "formats/rendered.hpp"
 #include "job/param_text.hpp"
-#include "layout/rendered.hpp"
 #include "lippmann/core/error.hpp"
 #include "video/encode_frames.hpp"
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "lippmann/layout/plenoptic_calibration.hpp"
+#include "lippmann/formats/plenoptic_calibration.hpp"
 
 namespace lippmann::app {
 

@@ -14,7 +14,7 @@
 #include "apps/lippmann/print_json.hpp"
 #include "apps/lippmann/result_flags.hpp"
 #include "core/printable.hpp"
-#include "layout/rendered.hpp"
+#include "formats/rendered.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/optics/crosstalk.hpp"
 #include "replay/replay.hpp"

@@ -11,8 +11,8 @@
 #include "align/register_pictures.hpp"
 #include "align/warp.hpp"
 #include "core/folder.hpp"
-#include "layout/picture_folder.hpp"
-#include "layout/view_files.hpp"
+#include "formats/picture_folder.hpp"
+#include "formats/view_files.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/image/picture_file.hpp"
 

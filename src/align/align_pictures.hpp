@@ -39,8 +39,8 @@ struct AlignedPictures {
   Parallax parallax;
 };
 
-/// Aligns the images of a folder (see layout/picture_folder.hpp). Integer samples keep their number of bits. Warns if the focus
-/// is not visible in every image. Throws Error naming the file or parameter.
+/// Aligns the images of a folder (see formats/picture_folder.hpp). Integer samples keep their number of bits. Warns if the
+/// focus is not visible in every image. Throws Error naming the file or parameter.
 AlignedPictures align_pictures(const AlignParams& params, const Context& context);
 
 }  // namespace lippmann

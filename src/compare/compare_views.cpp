@@ -13,7 +13,7 @@
 #include "compare/views_of_frame.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/core/parallel.hpp"
-#include "lippmann/layout/open_light_field.hpp"
+#include "lippmann/formats/open_light_field.hpp"
 
 namespace lippmann {
 namespace {

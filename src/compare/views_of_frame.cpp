@@ -4,13 +4,13 @@
 #include <utility>
 #include <variant>
 
+#include "formats/light_field_source.hpp"
+#include "formats/rendered.hpp"
+#include "formats/views_layer.hpp"
 #include "image/read_image.hpp"
 #include "layout/cameras.hpp"
-#include "layout/light_field_source.hpp"
-#include "layout/rendered.hpp"
-#include "layout/views_layer.hpp"
+#include "lippmann/formats/open_light_field.hpp"
 #include "lippmann/image/encode.hpp"
-#include "lippmann/layout/open_light_field.hpp"
 #include "video/video_reader.hpp"
 
 namespace lippmann {

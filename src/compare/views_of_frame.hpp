@@ -26,7 +26,7 @@ struct FrameViews {
   std::vector<Image8> views;
   /// Motion of the views, stacked like their pixels. nullopt if not requested or not there.
   std::optional<Image> motion = {};
-  /// Name of the frame's format in layout/formats.hpp; empty for a single view.
+  /// Name of the frame's format in formats/formats.hpp; empty for a single view.
   std::string_view format = {};
 };
 

@@ -19,7 +19,7 @@
 #include "folder/journal.hpp"
 #include "folder/render_folder.hpp"
 #include "folder/strips.hpp"
-#include "layout/frame_names.hpp"
+#include "formats/frame_names.hpp"
 #include "lippmann/core/error.hpp"
 
 namespace lippmann {

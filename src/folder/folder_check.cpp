@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/folder_entries.hpp"
-#include "layout/frame_names.hpp"
+#include "formats/frame_names.hpp"
 #include "lippmann/core/error.hpp"
 
 namespace lippmann {

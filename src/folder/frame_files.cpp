@@ -6,14 +6,14 @@
 
 #include "core/atomic_file.hpp"
 #include "core/folder.hpp"
+#include "formats/posed_folder.hpp"
 #include "image/exr.hpp"
 #include "image/png.hpp"
 #include "image/tiff.hpp"
-#include "layout/posed_folder.hpp"
 #include "lippmann/core/error.hpp"
+#include "lippmann/formats/kept_data.hpp"
 #include "lippmann/image/encode.hpp"
 #include "lippmann/layout/film_views.hpp"
-#include "lippmann/layout/kept_data.hpp"
 
 namespace lippmann {
 namespace {

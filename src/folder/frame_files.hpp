@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "folder/picture_params.hpp"
+#include "formats/frame_names.hpp"
 #include "image/exr.hpp"
-#include "layout/frame_names.hpp"
+#include "lippmann/formats/formats.hpp"
 #include "lippmann/frames/rendered_frame.hpp"
 #include "lippmann/image/encoding.hpp"
-#include "lippmann/layout/formats.hpp"
 
 namespace lippmann {
 

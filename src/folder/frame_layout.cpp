@@ -5,10 +5,10 @@
 #include <algorithm>
 
 #include "folder/frame_files.hpp"
+#include "formats/quad_name.hpp"
+#include "formats/rgbd_name.hpp"
 #include "image/tiff.hpp"
 #include "layout/film_layout.hpp"
-#include "layout/quad_name.hpp"
-#include "layout/rgbd_name.hpp"
 #include "layout/sub_pixels.hpp"
 #include "lippmann/core/error.hpp"
 

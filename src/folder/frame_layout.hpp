@@ -8,12 +8,12 @@
 #include <vector>
 
 #include "folder/picture_params.hpp"
-#include "layout/frame_names.hpp"
-#include "layout/quilt_side_file.hpp"
+#include "formats/frame_names.hpp"
+#include "formats/quilt_side_file.hpp"
 #include "lippmann/display/display.hpp"
+#include "lippmann/formats/formats.hpp"
 #include "lippmann/frames/rendered_frame.hpp"
 #include "lippmann/layout/arrangement.hpp"
-#include "lippmann/layout/formats.hpp"
 #include "lippmann/layout/view_layout.hpp"
 #include "lippmann/optics/optics.hpp"
 

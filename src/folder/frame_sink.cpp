@@ -10,10 +10,10 @@
 #include "core/background.hpp"
 #include "folder/develop_frame.hpp"
 #include "folder/frame_files.hpp"
+#include "formats/lens_grid_file.hpp"
+#include "formats/quilt_side_file.hpp"
+#include "formats/rgbd_side_file.hpp"
 #include "image/read_image.hpp"
-#include "layout/lens_grid_file.hpp"
-#include "layout/quilt_side_file.hpp"
-#include "layout/rgbd_side_file.hpp"
 #include "lippmann/image/encode.hpp"
 
 namespace lippmann {

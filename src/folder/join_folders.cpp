@@ -9,7 +9,7 @@
 #include "core/folder.hpp"
 #include "folder/render_folder.hpp"
 #include "folder/strips.hpp"
-#include "layout/frame_names.hpp"
+#include "formats/frame_names.hpp"
 #include "lippmann/core/error.hpp"
 
 namespace lippmann {

@@ -20,7 +20,7 @@
 #include "core/recorded_file.hpp"
 #include "core/regular_file.hpp"
 #include "folder/frame_report_json.hpp"
-#include "layout/frame_names.hpp"
+#include "formats/frame_names.hpp"
 #include "lippmann/core/error.hpp"
 #include "video/video_reader.hpp"
 

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "core/extent.hpp"
+#include "lippmann/formats/depth_coding.hpp"
 #include "lippmann/image/tone.hpp"
-#include "lippmann/layout/depth_coding.hpp"
 #include "lippmann/layout/stereo.hpp"
 
 namespace lippmann {

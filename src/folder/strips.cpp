@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "core/folder.hpp"
+#include "formats/frame_names.hpp"
 #include "image/exr.hpp"
 #include "image/read_image.hpp"
-#include "layout/frame_names.hpp"
 #include "lippmann/core/error.hpp"
 
 namespace lippmann {

@@ -11,6 +11,7 @@
 #include "core/platform.hpp"
 #include "core/regular_file.hpp"
 #include "folder/kept_lease.hpp"
+#include "formats/frame_names.hpp"
 #include "frames/banded_frames.hpp"
 #include "job/camera_set_files.hpp"
 #include "job/folder_documents.hpp"
@@ -19,7 +20,6 @@
 #include "job/job_videos.hpp"
 #include "job/stripped_frames.hpp"
 #include "job/test_pattern.hpp"
-#include "layout/frame_names.hpp"
 
 namespace lippmann {
 namespace {

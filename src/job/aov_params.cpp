@@ -8,8 +8,8 @@
 
 #include "job/test_pattern.hpp"
 #include "lippmann/core/error.hpp"
-#include "lippmann/layout/formats.hpp"
-#include "lippmann/layout/kept_data.hpp"
+#include "lippmann/formats/formats.hpp"
+#include "lippmann/formats/kept_data.hpp"
 
 namespace lippmann {
 

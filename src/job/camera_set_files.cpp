@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "core/folder.hpp"
-#include "layout/colmap_model.hpp"
-#include "layout/llff_poses.hpp"
-#include "layout/transforms_json.hpp"
+#include "formats/colmap_model.hpp"
+#include "formats/llff_poses.hpp"
+#include "formats/transforms_json.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/stage/camera_set.hpp"
 #include "optics/optics_kind.hpp"

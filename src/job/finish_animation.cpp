@@ -4,8 +4,8 @@
 
 #include "core/regular_file.hpp"
 #include "folder/render_folder.hpp"
+#include "formats/frame_names.hpp"
 #include "job/job_file.hpp"
-#include "layout/frame_names.hpp"
 #include "lippmann/core/error.hpp"
 
 namespace lippmann {

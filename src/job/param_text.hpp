@@ -10,7 +10,7 @@
 
 #include "core/extent.hpp"
 #include "core/number_text.hpp"
-#include "lippmann/layout/depth_coding.hpp"
+#include "lippmann/formats/depth_coding.hpp"
 #include "optics/optics_params.hpp"
 
 namespace lippmann {

@@ -10,13 +10,13 @@
 #include <utility>
 
 #include "core/suggest.hpp"
+#include "formats/frame_names.hpp"
 #include "job/param_text.hpp"
 #include "job/removed_params.hpp"
 #include "job/reuse_params.hpp"
 #include "job/scene_light.hpp"
-#include "layout/frame_names.hpp"
+#include "lippmann/formats/formats.hpp"
 #include "lippmann/image/tone.hpp"
-#include "lippmann/layout/formats.hpp"
 #include "lippmann/optics/crosstalk.hpp"
 #include "lippmann/trace/aovs.hpp"
 #include "optics/optics_kind.hpp"

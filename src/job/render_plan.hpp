@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "formats/frame_names.hpp"
 #include "job/job_stage.hpp"
-#include "layout/frame_names.hpp"
 
 namespace lippmann {
 

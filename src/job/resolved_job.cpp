@@ -6,8 +6,8 @@
 #include "job/camera_set_files.hpp"
 #include "job/test_pattern.hpp"
 #include "lippmann/core/parallel.hpp"
-#include "lippmann/layout/formats.hpp"
-#include "lippmann/layout/kept_data.hpp"
+#include "lippmann/formats/formats.hpp"
+#include "lippmann/formats/kept_data.hpp"
 #include "lippmann/scene/load.hpp"
 
 namespace lippmann {

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "formats/rgbd_side_file.hpp"
 #include "frames/frame.hpp"
 #include "layout/cameras.hpp"
-#include "layout/rgbd_side_file.hpp"
 #include "lippmann/core/error.hpp"
 #include "stage/seen_depth.hpp"
 

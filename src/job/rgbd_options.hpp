@@ -4,7 +4,7 @@
 
 #include "folder/picture_params.hpp"
 #include "lippmann/core/parallel.hpp"
-#include "lippmann/layout/formats.hpp"
+#include "lippmann/formats/formats.hpp"
 
 namespace lippmann {
 

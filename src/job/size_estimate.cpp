@@ -49,7 +49,7 @@ double light_field_bytes_per_sample(const RenderParams& params, PictureFormat fo
 }
 
 /// Returns the bytes of COLMAP's points. One pixel of each square of step x step pixels becomes a point
-/// (layout/posed_folder.hpp).
+/// (formats/posed_folder.hpp).
 double colmap_point_bytes(double pixels) {
   constexpr double kMostPoints = 100000.0, kBytesPerPoint = 60.0;
   const double step = std::max(1.0, std::ceil(std::sqrt(pixels / kMostPoints)));

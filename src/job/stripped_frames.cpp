@@ -1,8 +1,8 @@
 #include "job/stripped_frames.hpp"
 
 #include "folder/strips.hpp"
+#include "formats/frame_names.hpp"
 #include "job/job_folder.hpp"
-#include "layout/frame_names.hpp"
 
 namespace lippmann {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "lippmann/core/context.hpp"
-#include "lippmann/layout/formats.hpp"
+#include "lippmann/formats/formats.hpp"
 
 namespace lippmann {
 
@@ -21,7 +21,7 @@ struct DepthConversion {
   std::optional<double> view_angle_deg = {};
   double ipd_mm = kDefaultIpdMm;
   double depth_scale = 1.0;          ///< depth shown / depth stored in the image
-  std::filesystem::path depth = {};  ///< depth map of the image `in` (layout/depth_map.hpp); empty if `in` is RGB-D
+  std::filesystem::path depth = {};  ///< depth map of the image `in` (formats/depth_map.hpp); empty if `in` is RGB-D
   bool is_pair = false;
 };
 

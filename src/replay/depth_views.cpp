@@ -7,9 +7,9 @@
 #include <limits>
 #include <vector>
 
+#include "formats/rgbd_side_file.hpp"
 #include "image/resample.hpp"
 #include "layout/cameras.hpp"
-#include "layout/rgbd_side_file.hpp"
 #include "lippmann/core/error.hpp"
 
 namespace lippmann {

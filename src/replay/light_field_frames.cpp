@@ -6,12 +6,12 @@
 #include <memory>
 #include <utility>
 
-#include "layout/light_field_source.hpp"
-#include "layout/quad_name.hpp"
-#include "layout/rgbd_name.hpp"
+#include "formats/light_field_source.hpp"
+#include "formats/quad_name.hpp"
+#include "formats/rgbd_name.hpp"
 #include "lippmann/core/error.hpp"
-#include "lippmann/layout/open_light_field.hpp"
-#include "lippmann/layout/quilt_name.hpp"
+#include "lippmann/formats/open_light_field.hpp"
+#include "lippmann/formats/quilt_name.hpp"
 #include "lippmann/optics/viewing.hpp"
 #include "optics/view_spacing.hpp"
 #include "replay/no_light_field.hpp"

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/folder_entries.hpp"
-#include "layout/frame_names.hpp"
-#include "layout/light_field_source.hpp"
+#include "formats/frame_names.hpp"
+#include "formats/light_field_source.hpp"
 #include "lippmann/core/error.hpp"
 #include "video/video_reader.hpp"
 

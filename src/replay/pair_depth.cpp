@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "align/stereo_depth.hpp"
+#include "formats/depth_map.hpp"
+#include "formats/rendered.hpp"
+#include "formats/rgbd_side_file.hpp"
 #include "layout/cameras.hpp"
-#include "layout/depth_map.hpp"
-#include "layout/rendered.hpp"
-#include "layout/rgbd_side_file.hpp"
 #include "lippmann/core/error.hpp"
 
 namespace lippmann {

@@ -6,11 +6,11 @@
 #include <variant>
 
 #include "core/printable.hpp"
-#include "layout/frame_names.hpp"
-#include "layout/rendered.hpp"
+#include "formats/frame_names.hpp"
+#include "formats/rendered.hpp"
 #include "lippmann/core/error.hpp"
+#include "lippmann/formats/quilt_name.hpp"
 #include "lippmann/image/picture_file.hpp"
-#include "lippmann/layout/quilt_name.hpp"
 #include "lippmann/optics/viewing.hpp"
 
 namespace lippmann {

@@ -9,10 +9,10 @@
 
 #include "core/folder.hpp"
 #include "lippmann/core/error.hpp"
+#include "lippmann/formats/formats.hpp"
+#include "lippmann/formats/open_light_field.hpp"
+#include "lippmann/formats/quilt_name.hpp"
 #include "lippmann/image/encode.hpp"
-#include "lippmann/layout/formats.hpp"
-#include "lippmann/layout/open_light_field.hpp"
-#include "lippmann/layout/quilt_name.hpp"
 #include "lippmann/optics/viewing.hpp"
 #include "lippmann/replay/eye_view.hpp"
 

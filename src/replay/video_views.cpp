@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/platform.hpp"
+#include "formats/view_files.hpp"
 #include "layout/picture_samples.hpp"
-#include "layout/view_files.hpp"
 #include "lippmann/core/error.hpp"
 #include "video/video_reader.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "lippmann/layout/formats.hpp"
+#include "lippmann/formats/formats.hpp"
 #include "lippmann/layout/light_field.hpp"
 
 namespace lippmann {

@@ -13,14 +13,14 @@
 #include "core/folder_entries.hpp"
 #include "core/recorded_file.hpp"
 #include "core/text_pattern.hpp"
+#include "formats/light_field_source.hpp"
+#include "formats/quad_name.hpp"
+#include "formats/rgbd_name.hpp"
+#include "formats/rgbd_side_file.hpp"
 #include "image/read_image.hpp"
-#include "layout/light_field_source.hpp"
 #include "layout/oriented.hpp"
-#include "layout/quad_name.hpp"
-#include "layout/rgbd_name.hpp"
-#include "layout/rgbd_side_file.hpp"
 #include "lippmann/core/error.hpp"
-#include "lippmann/layout/quilt_name.hpp"
+#include "lippmann/formats/quilt_name.hpp"
 
 namespace lippmann {
 namespace {

@@ -17,7 +17,7 @@
 #include "core/json_text.hpp"
 #include "core/printable.hpp"
 #include "core/scratch_folder.hpp"
-#include "layout/frame_names.hpp"
+#include "formats/frame_names.hpp"
 #include "lippmann/core/error.hpp"
 
 namespace lippmann {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "layout/rendered.hpp"
+#include "formats/rendered.hpp"
 #include "lippmann/core/parallel.hpp"
 #include "lippmann/optics/view_phases.hpp"
 #include "lippmann/optics/viewing.hpp"

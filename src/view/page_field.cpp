@@ -8,9 +8,9 @@
 #include <optional>
 #include <utility>
 
+#include "formats/light_field_source.hpp"
+#include "formats/views_layer.hpp"
 #include "layout/cameras.hpp"
-#include "layout/light_field_source.hpp"
-#include "layout/views_layer.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/image/encode.hpp"
 #include "lippmann/layout/arrangement.hpp"

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "folder/render_state.hpp"
-#include "layout/rendered.hpp"
+#include "formats/rendered.hpp"
 #include "view/tool_process.hpp"
 
 namespace lippmann {

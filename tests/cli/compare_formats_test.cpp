@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "cli/tool.hpp"
-#include "lippmann/layout/formats.hpp"
+#include "lippmann/formats/formats.hpp"
 
 namespace lippmann::test {
 namespace {

@@ -144,7 +144,7 @@ TEST(Info, describes_pictures_and_folders) {
 TEST(Info, light_field_files_are_described_and_shown) {
   if (!fs::exists(fs::path(LIPPMANN_TOOL).parent_path() / "liblippmann_hdf5.so")) GTEST_SKIP() << "libhdf5-dev is missing";
   const TempDir dir;
-  fs::copy_file(LIPPMANN_SOURCE "/tests/layout/files/lf.h5", dir / "lf.h5");
+  fs::copy_file(LIPPMANN_SOURCE "/tests/formats/files/lf.h5", dir / "lf.h5");
   const nlohmann::json info = report_of(dir, {"info", "lf.h5"});
   EXPECT_EQ(info["format"], "hci-hdf5");
   EXPECT_EQ(info["views"], nlohmann::json({3, 2}));

@@ -75,7 +75,7 @@ TEST(Start, missing_align_module_names_its_package) {
 TEST(Start, missing_hdf5_module_names_its_package) {
   const TempDir dir;
   const Words tool = lone_tool(dir);
-  fs::copy_file(LIPPMANN_SOURCE "/tests/layout/files/lf.h5", dir / "lf.h5");
+  fs::copy_file(LIPPMANN_SOURCE "/tests/formats/files/lf.h5", dir / "lf.h5");
   const RunResult refused = run_lone(dir, tool + Words{"convert", "lf.h5", "out", "--to", "hci"});
   expect_refusal(refused, 1, "liblippmann_hdf5.so: HDF5 files need this module, and it is not installed");
   EXPECT_THAT(refused.err, HasSubstr("(package lippmann-hdf5)"));

@@ -10,7 +10,7 @@
 
 #include "folder/folder_check.hpp"
 #include "folder/render_folder.hpp"
-#include "layout/frame_names.hpp"
+#include "formats/frame_names.hpp"
 #include "lippmann/core/error.hpp"
 #include "support/error_message.hpp"
 #include "support/temp_dir.hpp"

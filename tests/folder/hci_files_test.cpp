@@ -4,9 +4,9 @@
 
 #include "folder/frame_files.hpp"
 #include "folder/frame_layout.hpp"
+#include "formats/hci_parameters.hpp"
 #include "image/netpbm.hpp"
 #include "image/read_image.hpp"
-#include "layout/hci_parameters.hpp"
 #include "lippmann/frames/renderer.hpp"
 #include "lippmann/image/encode.hpp"
 #include "lippmann/scene/load.hpp"

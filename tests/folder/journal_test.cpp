@@ -7,7 +7,7 @@
 #include <random>
 
 #include "folder/folder_check.hpp"
-#include "layout/frame_names.hpp"
+#include "formats/frame_names.hpp"
 #include "lippmann/core/error.hpp"
 #include "support/temp_dir.hpp"
 

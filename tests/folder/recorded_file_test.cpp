@@ -6,7 +6,7 @@
 #include <span>
 
 #include "folder/render_folder.hpp"
-#include "layout/rendered.hpp"
+#include "formats/rendered.hpp"
 #include "lippmann/core/error.hpp"
 #include "support/error_message.hpp"
 #include "support/temp_dir.hpp"

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <limits>
 
-#include "layout/frame_names.hpp"
+#include "formats/frame_names.hpp"
 #include "lippmann/core/error.hpp"
 #include "support/error_message.hpp"
 #include "support/temp_dir.hpp"

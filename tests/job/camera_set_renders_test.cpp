@@ -9,7 +9,7 @@
 #include "job/finish_animation.hpp"
 #include "job/renders.hpp"
 #include "layout/posed_cameras.hpp"
-#include "lippmann/layout/open_light_field.hpp"
+#include "lippmann/formats/open_light_field.hpp"
 
 namespace lippmann::test {
 namespace {

@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/compare.hpp"
+#include "formats/rgbd_side_file.hpp"
 #include "job/renders.hpp"
 #include "job/report.hpp"
-#include "layout/rgbd_side_file.hpp"
 #include "lippmann/display/load_display.hpp"
 #include "lippmann/image/picture_file.hpp"
 #include "replay/depth_frames.hpp"

@@ -11,10 +11,10 @@
 
 #include "job/renders.hpp"
 #include "layout/posed_cameras.hpp"
+#include "lippmann/formats/formats.hpp"
+#include "lippmann/formats/open_light_field.hpp"
 #include "lippmann/image/image.hpp"
-#include "lippmann/layout/formats.hpp"
 #include "lippmann/layout/light_field.hpp"
-#include "lippmann/layout/open_light_field.hpp"
 
 namespace lippmann::test {
 namespace {

@@ -15,8 +15,8 @@
 #include "job/report.hpp"
 #include "lippmann/core/version.hpp"
 #include "lippmann/display/load_display.hpp"
-#include "lippmann/layout/formats.hpp"
-#include "lippmann/layout/open_light_field.hpp"
+#include "lippmann/formats/formats.hpp"
+#include "lippmann/formats/open_light_field.hpp"
 #include "replay/replay.hpp"
 
 namespace lippmann::test {

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "lippmann/core/error.hpp"
-#include "lippmann/layout/formats.hpp"
+#include "lippmann/formats/formats.hpp"
 
 namespace lippmann {
 namespace {

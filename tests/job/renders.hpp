@@ -13,7 +13,7 @@
 #include "job/animation.hpp"
 #include "job/job_file.hpp"
 #include "job/params_table.hpp"
-#include "lippmann/layout/convert.hpp"
+#include "lippmann/formats/convert.hpp"
 #include "support/error_message.hpp"
 #include "support/folder_files.hpp"
 #include "support/temp_dir.hpp"

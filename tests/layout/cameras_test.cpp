@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "layout/hci_parameters.hpp"
-#include "light_fields.hpp"
+#include "formats/hci_parameters.hpp"
+#include "layout/light_fields.hpp"
 #include "lippmann/core/error.hpp"
 #include "support/error_message.hpp"
 

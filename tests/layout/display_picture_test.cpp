@@ -7,9 +7,9 @@
 #include <array>
 #include <map>
 
-#include "light_fields.hpp"
+#include "layout/light_fields.hpp"
 #include "lippmann/display/load_display.hpp"
-#include "lippmann/layout/convert.hpp"
+#include "lippmann/formats/convert.hpp"
 #include "support/error_message.hpp"
 #include "support/temp_dir.hpp"
 

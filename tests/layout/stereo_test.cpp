@@ -2,10 +2,10 @@
 
 #include <gmock/gmock.h>
 
-#include "light_fields.hpp"
+#include "layout/light_fields.hpp"
 #include "lippmann/core/error.hpp"
-#include "lippmann/layout/convert.hpp"
-#include "lippmann/layout/open_light_field.hpp"
+#include "lippmann/formats/convert.hpp"
+#include "lippmann/formats/open_light_field.hpp"
 #include "support/error_message.hpp"
 #include "support/temp_dir.hpp"
 

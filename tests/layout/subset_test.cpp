@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "light_fields.hpp"
+#include "layout/light_fields.hpp"
 #include "lippmann/core/error.hpp"
 #include "support/error_message.hpp"
 

@@ -23,7 +23,7 @@ if(NOT output STREQUAL "(1, 2, 16, 16, 3)\n")
 endif()
 
 if(HAS_HDF5 AND FOLDER MATCHES "^lib/[^/]+/dist-packages$")
-  set(open "import lippmann; print(lippmann.open('${SOURCE}/tests/layout/files/lf.h5').shape)")
+  set(open "import lippmann; print(lippmann.open('${SOURCE}/tests/formats/files/lf.h5').shape)")
   execute_process(COMMAND ${PYTHON} -c "${open}" RESULT_VARIABLE failed OUTPUT_QUIET ERROR_VARIABLE message)
   if(NOT failed OR NOT message MATCHES "package lippmann-hdf5")
     message(FATAL_ERROR "without the module, the message is: ${message}")

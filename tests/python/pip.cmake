@@ -30,7 +30,7 @@ if(NOT output STREQUAL "(1, 2, 16, 16, 3)\n")
 endif()
 if(HAS_HDF5)
   execute_process(COMMAND ${folder}/venv/bin/python -c "import lippmann
-assert lippmann.open('${SOURCE}/tests/layout/files/lf.h5').shape == (2, 3, 4, 5, 3)"
+assert lippmann.open('${SOURCE}/tests/formats/files/lf.h5').shape == (2, 3, 4, 5, 3)"
     WORKING_DIRECTORY ${folder} COMMAND_ERROR_IS_FATAL ANY)
 endif()
 execute_process(COMMAND ${folder}/venv/bin/pip uninstall -y lippmann OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)

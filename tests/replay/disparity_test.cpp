@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "layout/cameras.hpp"
+#include "formats/stated_cameras.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/replay/light_field_frames.hpp"
 #include "lippmann/replay/refocus.hpp"

@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "lippmann/layout/formats.hpp"
+#include "lippmann/formats/formats.hpp"
 #include "lippmann/optics/view_cameras.hpp"
 #include "lippmann/replay/light_field_frames.hpp"
 #include "support/error_message.hpp"

@@ -21,10 +21,10 @@
 #include "folder/folder_check.hpp"
 #include "folder/journal_writer.hpp"
 #include "folder/strips.hpp"
+#include "formats/frame_names.hpp"
 #include "job/finish_animation.hpp"
 #include "job/folder_documents.hpp"
 #include "job/job_folder.hpp"
-#include "layout/frame_names.hpp"
 #include "lippmann/core/error.hpp"
 #include "simulation/world.hpp"
 

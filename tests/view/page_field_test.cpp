@@ -7,8 +7,8 @@
 
 #include "image/exr.hpp"
 #include "image/png.hpp"
+#include "lippmann/formats/convert.hpp"
 #include "lippmann/image/picture_file.hpp"
-#include "lippmann/layout/convert.hpp"
 #include "lippmann/replay/eye_view.hpp"
 #include "optics/optics_json.hpp"
 #include "support/error_message.hpp"

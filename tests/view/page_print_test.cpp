@@ -7,7 +7,7 @@
 
 #include "core/regular_file.hpp"
 #include "lippmann/display/load_display.hpp"
-#include "lippmann/layout/convert.hpp"
+#include "lippmann/formats/convert.hpp"
 #include "support/error_message.hpp"
 #include "support/temp_dir.hpp"
 #include "view/answers.hpp"

@@ -50,7 +50,7 @@ struct DisplayPictureParams {
   PrintFinish finish = {};              ///< only for lenticular sheets and microlens arrays
 };
 
-/// Picture to make for a display. Each value has the name of the format (layout/formats.hpp) that stores the picture.
+/// Picture to make for a display. Each value has the name of the format (formats/formats.hpp) that stores the picture.
 enum class DisplayTarget { kIntegral, kQuilt, kNative };
 
 /// Throws a usage Error naming `display` if `format` is not integral, quilt or native, or if the display has no such picture.
