@@ -498,7 +498,7 @@ class LightField:
         precompensate: True sharpens the panel's picture (format=None) in advance, to cancel the crosstalk of the display's lenses.
         crosstalk: the blur that `precompensate` cancels, as in `eye`, from 0 to 0.75 pixels. None: that of the display.
 
-        Arguments that the format does not use are ignored with a LippmannWarning.
+        Arguments that the format does not use are ignored with a LippmannWarning. Data that it cannot store are named in another one.
         """
         where = _path(path, "path")
         if self._is_transparent and (format is not None or not where.endswith(".png")):
@@ -538,7 +538,11 @@ class LightField:
         options = _core.FormatOptions(None, tiling, panel)
         options.binary, options.png = bool(binary), bool(png)
         with _folder_of(where), Naming(where, views="format"):
-            return [os.fspath(file) for file in views.save(where, name, options)]
+            files = [os.fspath(file) for file in views.save(where, name, options)]
+        lost = views.lost(name)
+        if lost:
+            warn(f"{where}: not written, because {name} cannot store them: {'; '.join(lost)}")
+        return files
 
     def _crosstalk_to_undo(self, precompensate: bool, crosstalk: Union[float, str, None]) -> Optional[float]:
         if not precompensate:

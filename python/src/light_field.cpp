@@ -9,6 +9,7 @@
 #include "lippmann/core/parallel.hpp"
 #include "lippmann/display/display.hpp"
 #include "lippmann/formats/formats.hpp"
+#include "lippmann/formats/kept_data.hpp"
 #include "lippmann/formats/open_light_field.hpp"
 #include "lippmann/formats/plenoptic_calibration.hpp"
 #include "lippmann/image/encode.hpp"
@@ -211,6 +212,14 @@ std::vector<std::filesystem::path> save(const LightField& field, const std::file
   return find_output_format(format, "format").write(field, path, options);
 }
 
+/// Returns descriptions of the data that save() leaves out.
+std::vector<std::string> lost(const LightField& field, const std::string& format) {
+  std::vector<std::string> descriptions;
+  for (LostData& data : lost_data(field, find_output_format(format, "format").name))
+    descriptions.push_back(std::move(data.description));
+  return descriptions;
+}
+
 py::tuple open(const std::filesystem::path& path, const std::string& format, FormatOptions options) {
   OpenedLightField opened;
   Interruptible(0).run(py::none(), [&](const Context& context) {
@@ -355,6 +364,7 @@ void bind_light_field(py::module_& module) {
       .def_property_readonly("aspect", [](const LightField& f) { return f.aspect; })
       .def("with_codes", &with_codes)
       .def("save", &save)
+      .def("lost", &lost)
       .def("panel", &panel_of_field);
 
   py::class_<RenderedPanel, SharedPanel>(module, "Panel")

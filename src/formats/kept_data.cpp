@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace lippmann {
@@ -134,6 +135,11 @@ bool keeps(std::string_view format, DataKind kind) {
   return std::ranges::find(row.formats, format) != row.formats.end();
 }
 
+bool is_for_displays(std::string_view format) {
+  constexpr std::array<std::string_view, 5> kFormats{"integral", "quilt", "stereo", "quad", "native"};
+  return std::ranges::find(kFormats, format) != kFormats.end();
+}
+
 bool uses_depth(std::string_view format) {
   return keeps(format, DataKind::kDepth) || keeps(format, DataKind::kPoints) || keeps(format, DataKind::kDepthBounds);
 }
@@ -151,6 +157,7 @@ std::vector<LostData> lost_data(const LightField& field, std::string_view format
     bool is_kept = keeps(format, row.kind);
     if (is_with_cameras(row.kind)) is_kept = is_kept && writes_cameras;
     if (row.kind == DataKind::kPixelAspect) is_kept = is_kept || has_lens_aspect;
+    if (row.kind == DataKind::kCameras) is_kept = is_kept || is_for_displays(format);
     if (is_kept) continue;
     if (std::string found = row.found(field); !found.empty()) lost.push_back({row.kind, std::move(found)});
   }

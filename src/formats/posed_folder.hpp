@@ -60,12 +60,13 @@ std::vector<PosedPicture> listed_pictures(const LightField& field, const std::fi
 /// the file is missing.
 std::filesystem::path path_of_picture(const std::filesystem::path& folder, const PosedPicture& picture);
 
-/// Sets the splits of pictures by lists of their names, of which the first that has a name counts. Pictures in no list count as
-/// pictures for training. Warns about names without a picture. `where`: the file, for the message.
 struct SplitList {
   Split split = Split::kTraining;
   std::vector<std::string> names = {};
 };
+
+/// Sets the splits of pictures by lists of their names. If two lists have a name, the first list counts. Pictures in no list
+/// are for training. Warns about names without a picture. `where`: the file, for the message.
 void set_splits(const std::vector<SplitList>& lists, std::vector<PosedPicture>& pictures, const std::string& where,
                 const std::function<void(std::string_view)>& warn);
 

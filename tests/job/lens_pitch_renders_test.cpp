@@ -110,7 +110,8 @@ TEST_F(LensPitchRenders, report_states_the_lens_grid) {
 }
 
 /// The plane of the array is 24 units high at 100 units from the scene's camera, so at 100 mm a unit is a millimetre. Views
-/// have one sample per lens, so a centroid errs by up to half a lens; the whole pixels of the panel add 0.05 lenses.
+/// have one sample per lens, so the error of a centroid is up to half a lens. The panel consists of whole pixels,
+/// which adds 0.05 lenses.
 TEST_F(LensPitchRenders, report_states_the_cameras) {
   const LightField field = open_light_field(render_squares(10.0, "100"), "", {.views = ViewGrid{kViews, kViews}}).field;
   ASSERT_TRUE(field.cameras);

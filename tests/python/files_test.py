@@ -6,6 +6,7 @@ import os
 import pathlib
 import pickle
 import shutil
+import warnings
 
 import numpy as np
 
@@ -44,6 +45,14 @@ class Files(Case):
         values = np.frombuffer(data[-4 * 24 * 32:], "<f4").reshape(24, 32)[::-1]
         # camera 0 of the HCI format is the top left view
         np.testing.assert_allclose(field.disparity[2, 0], values, atol=1e-4)
+
+    def test_data_that_a_format_cannot_store_are_named(self):
+        field = self.rendered()
+        with self.assertWarnsRegex(lippmann.LippmannWarning, "stanford cannot store them: .*the depth of 9 views"):
+            field.save(self.folder / "stanford", "stanford")
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            field.save(self.folder / "hci", "hci")
 
     def test_the_tool_converts_saved_files(self):
         field = self.rendered()

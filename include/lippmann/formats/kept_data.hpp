@@ -42,6 +42,10 @@ const std::vector<KeptData>& kept_data();
 /// Returns whether the files of a format can hold this kind of data.
 bool keeps(std::string_view format, DataKind kind);
 
+/// Returns whether the format is a picture for a display. The optics of the display determine where its views are seen from, so
+/// a loss of cameras in one plane is not reported.
+bool is_for_displays(std::string_view format);
+
 /// Returns whether the writer of a format uses depth: as maps, as points, or as bounds.
 bool uses_depth(std::string_view format);
 
