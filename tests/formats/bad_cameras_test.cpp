@@ -21,18 +21,18 @@
 namespace lippmann {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 using test::error_message, test::numbered_field, test::TempDir;
 using testing::AllOf, testing::HasSubstr, testing::StartsWith;
 
 /// Returns the message for the second camera of a cameras.json, with a changed value.
-std::string miv_refusal(const char* key, const json& value) {
-  const json camera{{"Name", "a"},           {"Position", {0, 0, 0}},      {"Rotation", {0, 0, 0}},
+std::string miv_refusal(const char* key, const Json& value) {
+  const Json camera{{"Name", "a"},           {"Position", {0, 0, 0}},      {"Rotation", {0, 0, 0}},
                     {"Depth_range", {1, 3}}, {"Resolution", {4, 3}},       {"Projection", "Perspective"},
                     {"Focal", {50, 50}},     {"Principle_point", {2, 1.5}}};
-  json other = camera;
+  Json other = camera;
   other["Name"] = "b", other[key] = value;
-  const json file{{"cameras", {camera, other}}};
+  const Json file{{"cameras", {camera, other}}};
   return error_message([&] { parse_miv_cameras(file.dump(), "cameras.json"); });
 }
 
@@ -91,7 +91,7 @@ TEST(BadColmapCameras, sizes_and_focal_lengths_are_above_zero) {
 
 TEST(BadNerfCameras, sizes_and_focal_lengths_are_above_zero) {
   const auto refusal = [](const char* key, double value) {
-    json file{{"w", 4}, {"h", 3}, {"fl_x", 5}, {"frames", json::array()}};
+    Json file{{"w", 4}, {"h", 3}, {"fl_x", 5}, {"frames", Json::array()}};
     file["frames"].push_back({{"file_path", "a.png"}, {"transform_matrix", {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 2}}}});
     file["frames"][0][key] = value;
     return error_message([&] { parse_transforms(file.dump(), "transforms.json"); });
