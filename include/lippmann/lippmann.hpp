@@ -8,6 +8,7 @@
 #include "lippmann/dataset/dataset.hpp"
 #include "lippmann/display/load_display.hpp"
 #include "lippmann/formats/convert.hpp"
+#include "lippmann/formats/kept_data.hpp"
 #include "lippmann/formats/open_light_field.hpp"
 #include "lippmann/formats/plenoptic_calibration.hpp"
 #include "lippmann/formats/quilt_name.hpp"

@@ -82,7 +82,7 @@ def check(folder):
         lines.add(render_views.status())
         assert panel.LIPPMANN_PT_light_field.poll(types.SimpleNamespace(engine=scene.render.engine))
         yield
-    assert any("rendering the views of frame 1, 75 %" in line and "(Esc stops)" in line for line in lines), lines
+    assert any("rendering the views of frame 1, " in line and "(Esc stops)" in line for line in lines), lines
     eevee, = folder.joinpath(EEVEE.lower(), "quilt").glob("*.png")
     assert eevee.name == "frame_0001_qs4x1a0.75.png", eevee
     assert state(scene) == before, state(scene)

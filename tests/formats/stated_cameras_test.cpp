@@ -171,9 +171,6 @@ TEST(EslfFormat, pixels_of_views_are_square) {
     EXPECT_EQ(field.view_size, size);
     EXPECT_EQ(pixel_aspect(field), 1.0) << grid.columns << "x" << grid.rows;
     EXPECT_DOUBLE_EQ(field.aspect, static_cast<double>(size.x) / size.y);
-    views_format().write(field, dir / "views", {});
-    EXPECT_FALSE(fs::exists(dir / "views/views.json")) << "no shape of pixels is made up";
-    fs::remove_all(dir / "views");
   }
 }
 

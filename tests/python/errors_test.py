@@ -358,10 +358,11 @@ class Errors(Case):
         field = lippmann.render("room", small_grid(1, 2, (8, 8)), layers=["depth"])
         self.assertIgnored(["focus_mm"], field.eye, focus_mm=10)
         self.assertIgnored([], field.eye, focus_mm=10, pupil_mm=4)
-        self.assertIgnored(["tiles"], field.save, self.folder / "views", "views", tiles=(1, 2))
+        plain = lippmann.render("room", small_grid(1, 2, (8, 8)))
+        self.assertIgnored(["tiles"], plain.save, self.folder / "views", "views", tiles=(1, 2))
         self.assertIgnored(["display"], field.save, self.folder / "hci", "hci", display=SMALL_PANEL)
         self.assertIgnored(["bits", "tiles"], field.save, self.folder / "x.png", bits=16, tiles=(1, 2))
-        self.assertIgnored([], field.save, self.folder / "quilt.png", "quilt", tiles=(2, 1), bits=16)
+        self.assertIgnored([], plain.save, self.folder / "quilt.png", "quilt", tiles=(2, 1), bits=16)
         self.assertIgnored(["tiles", "display"], lippmann.open, self.folder / "views", tiles=(1, 2), display=SMALL_PANEL)
 
     def test_ignored_arguments_are_checked(self):
