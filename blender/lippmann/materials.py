@@ -8,6 +8,8 @@ other materials.
 import math
 from dataclasses import dataclass, field
 
+import bpy
+
 from .versions import input_of
 
 PLAIN_F0 = 0.08  # reflectance at normal incidence if the input Specular is 1
@@ -468,6 +470,24 @@ def simplify_all(materials, report):
             simplify(material, report)
         except (AttributeError, RuntimeError, TypeError) as error:  # nodes of missing add-ons or later versions of Blender
             report.warn(f"The material {material.name} could not be read: {error}.")
+
+
+def fill_empty_slots(things, report):
+    """Gives faces without a material the surface that Cycles renders there, diffuse with colour 0.8. In glTF they would be white."""
+    grey = bpy.data.materials.new("no material")
+    grey.use_nodes = True
+    shader = grey.node_tree.nodes.new("ShaderNodeBsdfDiffuse")
+    shader.inputs["Color"].default_value = (0.8, 0.8, 0.8, 1.0)
+    grey.node_tree.links.new(shader.outputs[0], grey.node_tree.get_output_node("ALL").inputs["Surface"])
+    simplify(grey, report)
+    for thing in things:
+        if thing.type != "MESH" or not thing.data.polygons:
+            continue
+        if not thing.material_slots:
+            thing.data.materials.append(grey)
+        for slot in thing.material_slots:
+            if slot.material is None:
+                slot.material = grey
 
 
 def take_gloss_away(document):

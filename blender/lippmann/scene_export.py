@@ -522,6 +522,7 @@ def main():
     baked = baking.bake(stage, request["bake_size"], report, kept, begin) if request["bake_size"] else {}
     if request["bake_size"]:
         kept.remove_others()
+    part("materials").fill_empty_slots(stage.objects, report)  # after baking, which needs to know each material of a mesh
     part("losses").say(scene, request["still"], baked, report)
     begin("writing the scene")
     export_gltf(stage, request["glb"], request["still"], has_shape_keys)

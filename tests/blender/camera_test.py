@@ -161,6 +161,37 @@ class Camera(unittest.TestCase):
         width, height = job.resolution(scene)
         self.assertAlmostEqual(width / height, displays.aspect(displays.chosen(scene)), delta=0.01)
 
+    def test_meshes_without_material_are_as_bright_as_in_cycles(self):
+        def linear(values):
+            return np.where(values <= 0.04045, values / 12.92, ((values + 0.055) / 1.055)**2.4)
+
+        bpy.ops.wm.read_factory_settings()
+        scene = bpy.context.scene
+        for name in ("Cube", "Light"):
+            bpy.data.objects.remove(bpy.data.objects[name])
+        bpy.ops.object.light_add(type="SUN", rotation=(0.5, 0.3, 0.0))
+        bpy.context.object.data.energy = 1.5
+        scene.world.node_tree.nodes["Background"].inputs["Color"].default_value = (0.2, 0.2, 0.2, 1.0)
+        bpy.ops.mesh.primitive_plane_add(size=60.0, location=(0.0, 0.0, -1.0))
+        bpy.ops.mesh.primitive_cube_add(location=(-1.5, 0.0, 0.0))
+        bpy.context.object.data.materials.append(None)  # a slot without material
+        bpy.ops.mesh.primitive_uv_sphere_add(location=(1.5, 0.0, 0.0))
+        bpy.context.object.shape_key_add(name="Basis")  # exported without being evaluated in animations
+        scene.view_settings.view_transform, scene.render.engine = "Standard", "LIPPMANN"
+        settings = scene.lippmann
+        settings.display, settings.output, settings.samples, settings.folder = "looking-glass-portrait", "camera", 64, str(self.folder)
+        scene.render.resolution_x, scene.render.resolution_y, scene.render.filepath = 96, 72, str(self.folder / "saved_")
+        scene.frame_start = scene.frame_end = 1
+        own = [self.still()]
+        bpy.ops.render.render(animation=True)
+        own.append(tool.pictures(self.folder / "animation", 1)[0])
+        expected = linear(picture(of_cycles(scene, self.folder / "cycles.png")))
+        self.assertLess(expected.max(), 1.0)
+        for file in own:
+            shares = linear(picture(file)).mean() / expected.mean()
+            print(f"light of meshes without material: {shares:.4f} of Cycles'")
+            self.assertAlmostEqual(shares, 1.0, delta=0.03)
+
 
 done = unittest.main(argv=["camera_test"], exit=False, verbosity=2)
 sys.exit(0 if done.result.wasSuccessful() else 1)
