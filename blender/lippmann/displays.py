@@ -94,10 +94,13 @@ def refused_size(scene, size):
         return f"A native frame has the panel's {display['pixels'][0]} x {display['pixels'][1]} pixels. Press Match Resolution, and set 100 %."
     if output != "quilt" or "quilt" not in display or {"--views", "--size"} & set(scene.lippmann.extra.split()):
         return None
-    columns, rows = display["quilt"]["tiles"]
-    if size[0] >= columns and size[1] >= rows:
+    tiles, usual = display["quilt"]["tiles"], display["quilt"]["size"]
+    # Some Looking Glasses expect quilts with padding, such as 4096 x 4096 pixels for 5 x 9 tiles.
+    fitting = [pixels if pixels >= count and full % count else count * max(1, round(pixels / count)) for pixels, count, full in zip(size, tiles, usual)]
+    if fitting == list(size):
         return None
-    return f"A quilt of {columns} x {rows} views needs {columns} x {rows} pixels or more, not {size[0]} x {size[1]}. Press Match Resolution, and set 100 %."
+    return (f"A quilt of {tiles[0]} x {tiles[1]} views cannot have {size[0]} x {size[1]} pixels, because views have whole pixels. "
+            f"Press Match Resolution, or set {fitting[0]} x {fitting[1]}, at 100 %.")
 
 
 def fit_resolution(scene):

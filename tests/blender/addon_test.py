@@ -291,7 +291,7 @@ class AddOn(unittest.TestCase):
         scene.camera = None
         self.assertIn("no camera", failure(bpy.ops.lippmann.place_at_focus))
         scene.render.resolution_x = 7
-        self.assertIn("needs 8 x 6 pixels", failure(bpy.ops.lippmann.render_views))
+        self.assertIn("cannot have 7 x 80 pixels", failure(bpy.ops.lippmann.render_views))
         scene.lippmann.display = "lenticular-60lpi-600dpi"
         self.assertIn("has no quilt", failure(bpy.ops.lippmann.render_views))
 

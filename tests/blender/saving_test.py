@@ -118,16 +118,30 @@ class Saving(InFolder):
         self.assertNotEqual(folder, other)
         job._of_session = before
 
-    def test_a_quilt_of_fewer_pixels_than_views_is_refused(self):
-        scene = new_scene(self.folder, "quilt", (7, 60))
+    def test_quilts_without_whole_pixels_per_view_are_refused(self):
+        scene = new_scene(self.folder, "quilt", (100, 3360))
         sentence = displays.refused_size(scene, job.resolution(scene))
-        self.assertEqual(sentence, "A quilt of 8 x 6 views needs 8 x 6 pixels or more, not 7 x 60. Press Match Resolution, and set 100 %.")
-        with self.assertRaisesRegex(tool.ToolError, "needs 8 x 6 pixels"):
+        self.assertEqual(sentence, "A quilt of 8 x 6 views cannot have 100 x 3360 pixels, because views have whole pixels. Press Match Resolution, or set 96 x 3360, at 100 %.")
+        with self.assertRaisesRegex(tool.ToolError, "cannot have 100 x 3360 pixels"):
             job.check(scene, True)
+        for size, fitting in (((3361, 3360), "3360 x 3360"), ((7, 60), "8 x 60"), ((3, 2), "8 x 6")):
+            self.assertIn(f"or set {fitting}, at 100 %", displays.refused_size(scene, size))
+        for size in ((3360, 3360), (1680, 840), (8, 6)):
+            self.assertIsNone(displays.refused_size(scene, size))
         scene.lippmann.extra = "--views 2x1"
         self.assertIsNone(displays.refused_size(scene, (7, 60)))
         scene.lippmann.output = "native"
         self.assertIn("1536 x 2048", displays.refused_size(scene, (60, 80)))
+
+    def test_quilts_that_a_display_pads_are_accepted(self):
+        scene = new_scene(self.folder, "quilt")
+        for one in displays.known():
+            if "quilt" in one:
+                scene.lippmann.display = one["name"]
+                self.assertIsNone(displays.refused_size(scene, tuple(one["quilt"]["size"])), one["name"])
+        scene.lippmann.display = "looking-glass-16-gen2"
+        self.assertIsNone(displays.refused_size(scene, (2048, 2048)))
+        self.assertIn("or set 5 x 9, at 100 %", displays.refused_size(scene, (4, 8)))
 
 
 class Exporting(InFolder):
