@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "core/printable.hpp"
 #include "core/suggest.hpp"
@@ -34,6 +35,14 @@ const Json& JsonFields::value(std::string_view key) const {
   const std::string& name = read_.emplace_back(key);
   const auto found = json_.find(name);
   return found == json_.end() ? kNone : *found;
+}
+
+void JsonFields::require(const std::vector<std::string_view>& keys) const {
+  std::vector<std::string_view> missing;
+  std::copy_if(keys.begin(), keys.end(), std::back_inserter(missing),
+               [&](std::string_view key) { return !json_.contains(std::string(key)); });
+  if (missing.size() > 1)
+    reject(fmt::format("{}", fmt::join(missing, ", ")), "are missing", fmt::format("all of {}", fmt::join(keys, ", ")));
 }
 
 double JsonFields::checked(std::string_view key, const Json& json, NumberRange range) const {

@@ -29,6 +29,10 @@ class JsonFields {
   bool has(std::string_view key) const { return !value(key).is_null(); }
   const Json& value(std::string_view key) const;
 
+  /// Throws Error naming all missing members if there are several. Null members count as present. A single missing member is
+  /// left to the function that reads it, whose message states the range.
+  void require(const std::vector<std::string_view>& keys) const;
+
   double number(std::string_view key, NumberRange range = kAnyNumber) const;
   double number_or(std::string_view key, NumberRange range, double otherwise) const;
   float float_number(std::string_view key) const { return static_cast<float>(number(key)); }

@@ -95,6 +95,7 @@ void write_model(const LenticularSheet& sheet, nlohmann::ordered_json& json) {
 }
 
 void read_model(const JsonFields& json, LenticularSheet& sheet) {
+  json.require({"lens_pitch_mm", "gap_mm", "slant_deg", "viewing_distance_mm"});
   sheet.lens_pitch_mm = json.float_number("lens_pitch_mm");
   sheet.gap_mm = json.float_number("gap_mm");
   sheet.slant = from_degrees(json.number("slant_deg"));

@@ -158,6 +158,7 @@ void write_model(const MicrolensArray& array, nlohmann::ordered_json& json) {
 }
 
 void read_model(const JsonFields& json, MicrolensArray& array) {
+  json.require({"packing", "lens_pitch_mm", "gap_mm", "viewing_distance_mm"});
   array.packing = json.word("packing", {"square", "hexagonal"}) == 0 ? LensPacking::kSquare : LensPacking::kHexagonal;
   array.lens_pitch_mm = json.float_number("lens_pitch_mm");
   array.gap_mm = json.float_number("gap_mm");

@@ -100,6 +100,7 @@ void write_model(const MultiView& views, nlohmann::ordered_json& json) {
 }
 
 void read_model(const JsonFields& json, MultiView& views) {
+  json.require({"columns", "rows", "distance_mm", json.has("baseline_mm") ? "baseline_mm" : "view_cone_deg"});
   views.columns = json.whole("columns", kAnyCount), views.rows = json.whole("rows", kAnyCount);
   views.distance_mm = json.float_number("distance_mm");
   views.pixel_height = json.float_or("pixel_height", 1.0f);

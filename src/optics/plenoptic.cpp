@@ -76,6 +76,7 @@ void write_model(const PlenopticCamera& camera, nlohmann::ordered_json& json) {
 }
 
 void read_model(const JsonFields& json, PlenopticCamera& camera) {
+  json.require({"packing", "lens_pitch_mm", "gap_mm", "focal_length_mm", "f_number", "distance_mm"});
   camera.packing = json.word("packing", {"square", "hexagonal"}) == 0 ? LensPacking::kSquare : LensPacking::kHexagonal;
   camera.lens_pitch_mm = json.float_number("lens_pitch_mm");
   camera.gap_mm = json.float_number("gap_mm");

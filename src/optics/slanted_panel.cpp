@@ -200,6 +200,7 @@ void write_model(const SlantedPanel& slanted, Json& json) {
 }
 
 void read_model(const JsonFields& json, SlantedPanel& slanted) {
+  json.require({"periods", "tilt", "center", "view_cone_deg", "distance_mm"});
   slanted.periods = json.number("periods"), slanted.tilt = json.number("tilt"), slanted.center = json.number("center");
   slanted.inverted = json.flag_or("inverted", true);
   slanted.view_cone = from_degrees(json.number("view_cone_deg"));

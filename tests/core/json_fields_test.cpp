@@ -55,6 +55,15 @@ TEST(JsonFields, null_is_infinity) {
   EXPECT_EQ(finite_or_null(std::numeric_limits<double>::infinity()), Json(nullptr));
 }
 
+TEST(JsonFields, several_missing_members_are_named_at_once) {
+  const auto message = [](const std::vector<std::string_view>& keys) {
+    return test::error_message([&] { fields().require(keys); });
+  };
+  EXPECT_THAT(message({"n", "none", "null", "more"}), HasSubstr("a.json: none, more: are missing"));
+  EXPECT_THAT(message({"n", "none", "more"}), HasSubstr("all of n, none, more"));
+  EXPECT_NO_THROW(fields().require({"n", "null", "none"}));
+}
+
 TEST(JsonFields, errors_name_file_object_key_and_accepted) {
   const auto message = [](const auto& read) { return test::error_message([&] { read(fields()); }); };
   EXPECT_THAT(message([](const JsonFields& f) { f.inner("in").number("n", {0.0, 2.0}); }), HasSubstr("a.json: in.n: is 7"));

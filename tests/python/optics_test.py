@@ -40,6 +40,16 @@ class OpticsByName(Case):
         self.assertWrong("distance_mm", lippmann.optics, "single", distance_mm=object())
         self.assertIn("distance_mm", self.assertWrong("distance", lippmann.optics, "single", distance_mm=500, distance=3).problem)
 
+    def test_all_missing_values_are_named_at_once(self):
+        wrong = self.assertWrong("gap_mm, viewing_distance_mm", lippmann.optics, "lenticular", lens_pitch_mm=1, slant_deg=0)
+        self.assertEqual(wrong.problem, "are missing")
+        for name in ("lens_pitch_mm", "gap_mm", "slant_deg", "viewing_distance_mm"):
+            self.assertIn(name, wrong.accepted)
+        for kind, count in (("microlens", 4), ("multiview", 4), ("plenoptic", 6), ("slanted", 5)):
+            with self.assertRaises(lippmann.Error) as caught:
+                lippmann.optics(kind)
+            self.assertEqual(len(caught.exception.where.split(", ")), count, caught.exception)
+
 
 class OwnOptics(Case):
     def test_rays_of_a_model_match_the_model(self):
