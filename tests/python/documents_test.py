@@ -68,6 +68,14 @@ class Documents(Case):
         done = subprocess.run([sys.executable, "-c", program], cwd=self.folder, capture_output=True, text=True)
         self.assertEqual(done.returncode, 0, done.stderr)
 
+    def test_calls_in_the_text_of_python_md_run(self):
+        text = (SOURCE / "docs/guide/python.md").read_text()
+        calls = re.findall(r"`(lippmann\.optics\([^`]*\))`", text)
+        self.assertTrue(calls)
+        for call in calls:
+            with self.subTest(call):
+                self.assertIsInstance(eval(call, {"lippmann": lippmann}), lippmann.Optics)
+
     def test_python_md_names_formats_and_examples(self):
         text = (SOURCE / "docs/guide/python.md").read_text()
         for example in (SOURCE / "examples/python").glob("*.py"):
