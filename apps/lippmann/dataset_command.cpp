@@ -46,11 +46,13 @@ void print_dataset_report(const DatasetReport& report, const DatasetOptions& opt
                        {"samples", report.wanted},
                        {"kept", report.kept},
                        {"made", report.made},
+                       {"remade", report.remade},
                        {"seconds", report.seconds},
                        {"bytes", report.bytes},
                        {"complete", report.is_complete}});
   const std::string folder = printable_line(options.folder);
-  print_out("{} samples made in {:.1f} s, {} kept: {}\n", report.made, report.seconds, report.kept, folder);
+  const std::string remade = report.remade > 0 ? fmt::format(" ({} to replace damaged samples)", report.remade) : "";
+  print_out("{} samples made in {:.1f} s{}, {} kept: {}\n", report.made, report.seconds, remade, report.kept, folder);
   if (report.is_complete) print_out("  complete  {}/manifest.json\n", folder);
 }
 

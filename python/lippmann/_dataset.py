@@ -28,6 +28,8 @@ class DatasetReport(NamedTuple):
     """Number of bytes written."""
     complete: bool
     """Whether manifest.json and all samples of the whole data set exist."""
+    remade: int = 0
+    """Number of rendered samples that replace damaged ones."""
 
 
 def dataset(
@@ -45,7 +47,7 @@ def dataset(
     progress: Optional[Progress] = None,
 ) -> DatasetReport:
     """Writes `count` light fields of random scenes, with depth, disparity, normals, motion and ids, into a folder. The files have the
-    same bytes as those of `lippmann dataset`. Complete samples in the folder are kept, so that a stopped call can be repeated.
+    same bytes as those of `lippmann dataset`. Intact samples in the folder are kept, so that a stopped call can be repeated.
 
     scenes: names of built-in scenes and files, or one of them; their meshes become objects, beside spheres and boxes.
     rows, columns: the grid of cameras. size: width and height of a view in pixels. spp: samples per pixel.
@@ -74,4 +76,4 @@ def dataset(
         raise Error("progress", f"is {progress!r}", "a function of the number of samples and the share of the current one")
     with Naming():
         report = _core.make_dataset(params, workers, progress)
-    return DatasetReport(report.wanted, report.kept, report.made, report.seconds, report.bytes, report.is_complete)
+    return DatasetReport(report.wanted, report.kept, report.made, report.seconds, report.bytes, report.is_complete, report.remade)

@@ -47,6 +47,7 @@ void bind_dataset(py::module_& module) {
       .def_readonly("wanted", &DatasetReport::wanted)
       .def_readonly("kept", &DatasetReport::kept)
       .def_readonly("made", &DatasetReport::made)
+      .def_readonly("remade", &DatasetReport::remade)
       .def_readonly("seconds", &DatasetReport::seconds)
       .def_readonly("bytes", &DatasetReport::bytes)
       .def_readonly("is_complete", &DatasetReport::is_complete);

@@ -76,8 +76,9 @@ void claim_dataset_folder(const DatasetParams& params) {
   if (!there) write_json(path, wanted);
 }
 
-/// Returns the sample.json of a sample, or nullopt if a file is missing or does not have its recorded size.
-std::optional<Json> complete_sample(const fs::path& folder) {
+/// Returns the sample.json of a sample, or nullopt if it is damaged, or if a file is missing or does not have its recorded
+/// size.
+std::optional<Json> complete_sample(const fs::path& folder) try {
   std::optional<Json> json = read_optional_json(folder / "sample.json");
   if (!json || !json->is_object() || !json->contains("files") || !(*json)["files"].is_array()) return std::nullopt;
   for (const Json& file : (*json)["files"]) {
@@ -88,6 +89,23 @@ std::optional<Json> complete_sample(const fs::path& folder) {
     if (missing || file["bytes"] != bytes) return std::nullopt;
   }
   return json;
+} catch (const Error&) {
+  return std::nullopt;
+}
+
+enum class SampleState { kMissing, kDamaged, kIntact };
+
+/// Reads every file of the sample once, to compare its checksum.
+SampleState sample_state(const fs::path& folder) {
+  std::error_code ignored;
+  if (!fs::exists(folder, ignored)) return SampleState::kMissing;
+  const std::optional<Json> sample = complete_sample(folder);
+  if (!sample) return SampleState::kDamaged;
+  for (const Json& file : (*sample)["files"]) {
+    const std::optional<FileChecksum> sum = file_checksum(folder / file["name"].get<std::string>());
+    if (!sum || !file.contains("xxh3") || file["xxh3"] != sum->xxh3) return SampleState::kDamaged;
+  }
+  return SampleState::kIntact;
 }
 
 class SampleFiles {
@@ -202,21 +220,33 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 
 DatasetReport make_dataset(const DatasetParams& params, const Context& context, const DatasetObserver& observer) {
   check_dataset(params);
-  std::vector<int> samples = samples_of(params);
+  const std::vector<int> samples = samples_of(params);
   std::vector<Mesh> meshes;
   for (const std::string& name : params.scenes)
     for (Mesh& mesh : unit_meshes_of(load_scene(name, {}, context))) meshes.push_back(std::move(mesh));
   claim_dataset_folder(params);
   DatasetReport report{.wanted = static_cast<int>(samples.size())};
-  std::erase_if(samples, [&](int index) { return complete_sample(params.folder / sample_name(index)).has_value(); });
-  report.kept = report.wanted - static_cast<int>(samples.size());
-  if (observer.planned) observer.planned(static_cast<int>(samples.size()), report.kept);
+  struct Planned {
+    int index;
+    bool is_damaged;
+  };
+  std::vector<Planned> planned;
   for (const int index : samples) {
+    if (context.cancelled) return report;
+    const SampleState state = sample_state(params.folder / sample_name(index));
+    if (state == SampleState::kIntact)
+      ++report.kept;
+    else
+      planned.push_back({index, state == SampleState::kDamaged});
+  }
+  if (observer.planned) observer.planned(static_cast<int>(planned.size()), report.kept);
+  for (const auto& [index, is_damaged] : planned) {
     const auto start = std::chrono::steady_clock::now();
     const std::optional<std::uint64_t> bytes = make_sample(params, meshes, index, context);
     if (!bytes || context.cancelled) return report;
     const double seconds = seconds_since(start);
     ++report.made, report.seconds += seconds, report.bytes += *bytes;
+    if (is_damaged) ++report.remade;
     if (observer.made) observer.made(index, seconds);
   }
   report.is_complete = write_manifest(params);

@@ -95,6 +95,23 @@ class Dataset(Case):
         self.assertEqual(json.loads(tool(*SMALL, "-o", folder, "--count", 1, "--json"))["made"], 1)
         self.assertEqual(self.files(folder), before)
 
+    def test_flipped_bits_are_repaired(self):
+        folder = self.folder / "d"
+        tool(*SMALL, "-o", folder, "--count", 3)
+        before = self.files(folder)
+        for name in ("sample_000001/views.npy", "sample_000002/sample.json"):
+            data = bytearray((folder / name).read_bytes())
+            data[0 if name.endswith("json") else 200] ^= 1
+            (folder / name).write_bytes(data)
+        again = json.loads(tool(*SMALL, "-o", folder, "--count", 3, "--json"))
+        self.assertEqual({key: again[key] for key in ("kept", "made", "remade")}, {"kept": 1, "made": 2, "remade": 2})
+        self.assertEqual(self.files(folder), before)
+        (folder / "sample_000000/id.npy").unlink()
+        self.assertIn(" (1 to replace damaged samples), 2 kept", tool(*SMALL, "-o", folder, "--count", 3))
+        self.assertNotIn("damaged", tool(*SMALL, "-o", folder, "--count", 3))
+        (folder / "sample_000000/id.npy").write_bytes(b"")
+        self.assertEqual(lippmann.dataset("teapot", folder, 3, **SMALL_OPTIONS).remade, 1)
+
     def test_python_writes_the_tools_files(self):
         tool(*SMALL, "-o", self.folder / "tool", "--count", 2)
         for unit, made in (("2/2", 1), ("1/2", 1), (None, 0)):

@@ -42,7 +42,7 @@ def examples():
     scene, ball, skin = figure()
     viewless = lippmann.render(DESK, own_optics(), integrator="whitted", spp=1)
     return {
-        lippmann.DatasetReport: [lippmann.DatasetReport(samples=8, kept=1, made=7, seconds=2.5, bytes=4096, complete=True)],
+        lippmann.DatasetReport: [lippmann.DatasetReport(samples=8, kept=1, made=7, seconds=2.5, bytes=4096, complete=True, remade=2)],
         lippmann.Display: [lippmann.display("looking-glass-portrait"), lippmann.display(SMALL_PANEL)],
         lippmann.Error: [lippmann.Error("size", "is 0", "1 or more")],
         lippmann.LightField: [

@@ -35,8 +35,8 @@ struct DatasetParams {
 
 struct DatasetReport {
   int wanted = 0;  ///< number of samples that DatasetParams::unit selects
-  /// kept: samples that were complete before. made: rendered samples.
-  int kept = 0, made = 0;
+  /// kept: samples that were complete before. made: rendered samples. remade: those of them that replace damaged samples.
+  int kept = 0, made = 0, remade = 0;
   double seconds = 0.0;  ///< time of rendering and writing
   std::uint64_t bytes = 0;
   bool is_complete = false;  ///< every sample and the manifest exist
@@ -47,8 +47,9 @@ struct DatasetObserver {
   std::function<void(int index, double seconds)> made = {};
 };
 
-/// Renders the missing samples. Stops soon after context.cancelled is set. Throws Error if a scene cannot be read, if the
-/// folder holds other data, or if a file cannot be written.
+/// Renders the missing samples and those whose files do not have their recorded sizes and checksums. Stops soon after
+/// context.cancelled is set. Throws Error if a scene cannot be read, if the folder holds other data, or if a file cannot be
+/// written.
 DatasetReport make_dataset(const DatasetParams& params, const Context& context, const DatasetObserver& observer = {});
 
 }  // namespace lippmann
