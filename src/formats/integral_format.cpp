@@ -41,9 +41,7 @@ LightField read_eslf(const fs::path& path, const FormatOptions& options) {
 
 std::vector<fs::path> write_eslf(const LightField& field, const fs::path& path, const FormatOptions&) {
   std::vector<fs::path> written = write_packed(field, {LayoutKind::kEslf, field.grid, {}}, path);
-  const double aspect = pixel_aspect(field);
-  if (aspect != 1.0 || field.positions || field.cameras)
-    written.push_back(write_eslf_side_file(path, {field.grid, aspect, field.positions, field.cameras}));
+  written.push_back(write_eslf_side_file(path, {field.grid, pixel_aspect(field), field.positions, field.cameras}));
   return written;
 }
 
