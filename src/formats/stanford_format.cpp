@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <cmath>
+#include <utility>
 
 #include "core/text_pattern.hpp"
 #include "formats/hci_parameters.hpp"
@@ -20,27 +22,52 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The position in a file's name, x right and y up; none if the name has no position.
-std::optional<Vec2d> stanford_position(const fs::path& file) {
-  static const TextPattern name("out_[0-9]+_[0-9]+_(-?[0-9.]{1,40})_(-?[0-9.]{1,40})_?", TextPattern::Letters::kEitherCase);
-  const std::optional<PatternMatch> found = name.match(file.stem().string());
-  if (!found) return std::nullopt;
-  Vec2d position;
-  for (const int axis : {0, 1}) {
-    const std::string& digits = found->groups[static_cast<std::size_t>(2 - axis)];
-    const auto [end, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), position[axis]);
-    if (problem != std::errc() || end != digits.data() + digits.size()) return std::nullopt;
-  }
-  return Vec2d(position.x, -position.y);
+std::optional<double> finite_number(const std::string& text) {
+  double number = 0.0;
+  const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (problem != std::errc() || end != text.data() + text.size() || !std::isfinite(number)) return std::nullopt;
+  return number;
 }
 
+/// The texts of y and x in a file's name; none if the name does not have both.
+std::optional<std::pair<std::string, std::string>> position_texts(const fs::path& file) {
+  static const TextPattern name("out_[0-9]+_[0-9]+_([^_]+)_([^_]+)_?", TextPattern::Letters::kEitherCase);
+  const std::optional<PatternMatch> found = name.match(file.stem().string());
+  if (!found) return std::nullopt;
+  return std::pair(found->groups[1], found->groups[2]);
+}
+
+/// The position in a file's name, x right and y up; none if the name has no position.
+std::optional<Vec2d> stanford_position(const fs::path& file) {
+  const auto texts = position_texts(file);
+  if (!texts) return std::nullopt;
+  const std::optional<double> y = finite_number(texts->first), x = finite_number(texts->second);
+  if (!y || !x) return std::nullopt;
+  return Vec2d(*x, -*y);
+}
+
+Error position_error(const fs::path& file) {
+  const auto texts = position_texts(file);
+  if (!texts)
+    return {file.string(), "its name has no y and x, unlike other names",
+            "out_{row}_{column}_{y}_{x}, or no y and x in all names"};
+  const bool is_y = !finite_number(texts->first);
+  return {file.string(), fmt::format("{} in its name is {}", is_y ? "y" : "x", is_y ? texts->first : texts->second),
+          "a number, or no y and x in all names"};
+}
+
+/// Returns none if no name has a position.
 std::optional<std::vector<Vec2d>> stanford_positions(const std::vector<fs::path>& by_view) {
   std::vector<Vec2d> positions;
+  const fs::path* without = nullptr;
   for (const fs::path& file : by_view) {
-    const std::optional<Vec2d> position = stanford_position(file);
-    if (!position) return std::nullopt;
-    positions.push_back(*position);
+    if (const std::optional<Vec2d> position = stanford_position(file))
+      positions.push_back(*position);
+    else if (!without)
+      without = &file;
   }
+  if (positions.empty()) return std::nullopt;
+  if (without) throw position_error(*without);
   return positions;
 }
 
@@ -53,10 +80,11 @@ LightField read_stanford(const fs::path& folder, const FormatOptions& options) {
   for (std::size_t i = 0; i < files.size(); ++i)
     by_view[static_cast<std::size_t>(from_top_left(grid, static_cast<int>(i)))] = files[i].path;
   const std::optional<HciParameters> parameters = read_hci_parameters(folder);
+  const std::optional<std::vector<Vec2d>> positions = stanford_positions(by_view);
   LightField field = read_view_files(by_view, grid, options, [&](int view, Vec2i size) {
     if (parameters) require_size(*parameters, by_view[static_cast<std::size_t>(view)], size);
   });
-  field.positions = stanford_positions(by_view);
+  field.positions = positions;
   if (options.fit_view) return field;  // views that fit_view has resized do not match the cameras
   if (parameters) field.hci = parameters->notes;
   if (parameters && grid == ViewGrid{parameters->columns, parameters->rows})

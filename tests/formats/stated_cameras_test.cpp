@@ -134,6 +134,37 @@ TEST(StanfordFormat, equal_positions_have_no_baseline) {
               testing::AllOf(HasSubstr("lego"), HasSubstr("positions")));
 }
 
+TEST(StanfordFormat, one_name_without_a_position_is_an_error) {
+  for (const bool has_cameras : {false, true}) {
+    const TempDir dir;
+    LightField field = irregular_field();
+    if (has_cameras) field.cameras = cameras_as_stated(kTrial, field, "a");
+    stanford_format().write(field, dir / "s", {});
+    EXPECT_EQ(fs::exists(dir / "s/parameters.cfg"), has_cameras);
+    fs::path last;
+    for (const fs::directory_entry& entry : fs::directory_iterator(dir / "s"))
+      if (entry.path().filename().string().starts_with("out_01_01")) last = entry.path();
+    const auto refusal = [&](const char* name) {
+      fs::rename(last, dir / "s" / name);
+      last = dir / "s" / name;
+      return error_message([&] { stanford_format().read(dir / "s", {}); });
+    };
+    EXPECT_THAT(refusal("out_01_01_nan_2.5.png"),
+                testing::AllOf(HasSubstr("out_01_01_nan_2.5.png: y in its name is nan"), HasSubstr("accepted: a number")));
+    EXPECT_THAT(refusal("out_01_01_2.5_1.2.3.png"), HasSubstr("x in its name is 1.2.3"));
+    EXPECT_THAT(refusal("out_01_01_2_inf_.png"), HasSubstr("x in its name is inf"));
+    EXPECT_THAT(refusal("out_01_01.png"), HasSubstr("out_01_01.png: its name has no y and x"));
+  }
+}
+
+TEST(StanfordFormat, names_may_have_no_positions) {
+  const TempDir dir;
+  stanford_format().write(numbered_field({2, 1}, {4, 4}), dir / "s", {});
+  fs::rename(dir / "s/out_00_00_0.000000_0.000000.png", dir / "s/out_00_00.png");
+  fs::rename(dir / "s/out_00_01_0.000000_1.000000.png", dir / "s/out_00_01.png");
+  EXPECT_FALSE(stanford_format().read(dir / "s", {}).positions);
+}
+
 TEST(EslfFormat, side_file_keeps_positions_and_cameras) {
   const TempDir dir;
   LightField field = irregular_field();
@@ -151,10 +182,16 @@ TEST(EslfFormat, side_file_keeps_positions_and_cameras) {
   EXPECT_THAT(error_message([&] { eslf_format().read(dir / "a.png", {.views = ViewGrid{4, 1}}); }), HasSubstr("2x2"));
 }
 
-TEST(EslfFormat, views_without_cameras_have_no_side_file) {
+TEST(EslfFormat, side_file_states_the_views_without_cameras) {
   const TempDir dir;
-  eslf_format().write(numbered_field({2, 2}, {4, 4}), dir / "a.png", {});
-  EXPECT_FALSE(fs::exists(dir / "a.png.json"));
+  const LightField field = numbered_field({3, 2}, {4, 4});
+  EXPECT_THAT(eslf_format().write(field, dir / "a.png", {}), testing::ElementsAre(dir / "a.png", dir / "a.png.json"));
+  const LightField read = eslf_format().read(dir / "a.png", {});
+  EXPECT_EQ(read.grid, field.grid);
+  EXPECT_TRUE(test::same_samples(read.stack, field.stack));
+  EXPECT_FALSE(read.cameras);
+  EXPECT_FALSE(read.positions);
+  EXPECT_EQ(pixel_aspect(read), 1.0);
 }
 
 TEST(EslfFormat, pixels_of_views_are_square) {
