@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <array>
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <map>
@@ -87,6 +87,18 @@ Vec2i resolution_of(const CvkitProperties& properties, const std::string& where)
   return size;
 }
 
+glm::dmat3 rotation_of(const CvkitProperties& properties, const std::string& where) {
+  double rows[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+  if (properties.has("camera.R")) std::ranges::copy(properties.numbers("camera.R", 9), rows);
+  return checked_rotation(rows, where + ": camera.R");
+}
+
+/// Converts a rotation between the axes (right, down, forward) and (right, up, backwards), in the camera and in the world.
+glm::dmat3 flipped(const glm::dmat3& rotation) {
+  const glm::dmat3 flip(Vec3d(1.0, 0.0, 0.0), Vec3d(0.0, -1.0, 0.0), Vec3d(0.0, 0.0, -1.0));
+  return flip * rotation * flip;
+}
+
 }  // namespace
 
 CvkitCamera parse_cvkit_camera(const std::string& text, const std::string& where) {
@@ -95,17 +107,15 @@ CvkitCamera parse_cvkit_camera(const std::string& text, const std::string& where
   constexpr double kLeastFocal = 1e-6;
   if (a[1] != 0.0 || a[3] != 0.0 || a[6] != 0.0 || a[7] != 0.0 || a[8] != 1.0 || !(a[0] >= kLeastFocal && a[4] >= kLeastFocal))
     throw Error(where, "its camera.A has another form", "[fx 0 cx; 0 fy cy; 0 0 1], fx and fy above 0");
-  if (properties.has("camera.R"))
-    if (properties.numbers("camera.R", 9) != std::vector<double>{1, 0, 0, 0, 1, 0, 0, 0, 1})
-      throw Error(where, "its camera is rotated", "parallel cameras, camera.R=[1 0 0; 0 1 0; 0 0 1]");
   require_no_distortion(properties, where);
   const std::vector<double> t =
       properties.has("camera.T") ? properties.numbers("camera.T", 3) : std::vector<double>{0.0, 0.0, 0.0};
   CvkitCamera read;
-  read.camera.position_m[0] = t[2], read.camera.position_m[1] = -t[0], read.camera.position_m[2] = -t[1];
-  read.camera.focal_px = {a[0], a[4]};
-  read.camera.principal_point_px = {a[2], a[5]};
-  read.camera.resolution = resolution_of(properties, where);
+  read.camera = miv_camera({resolution_of(properties, where),
+                            {a[0], a[4]},
+                            {a[2], a[5]},
+                            flipped(rotation_of(properties, where)),
+                            1e3 * Vec3d(t[0], -t[1], -t[2])});
   read.rho = properties.number_or("rho", properties.number_or("camera.rho", 0.0));
   if (!(read.rho >= 0.0)) throw Error(where, fmt::format("its rho is {}", read.rho), "0 or more");
   if (properties.has("t") && !(properties.numbers("t", 1)[0] > 0.0))
@@ -118,7 +128,9 @@ std::string cvkit_camera_text(const CvkitCamera& c) {
   const double* position = camera.position_m;
   std::string text = fmt::format("camera.A=[{} 0 {}; 0 {} {}; 0 0 1]\n", camera.focal_px.x, camera.principal_point_px.x,
                                  camera.focal_px.y, camera.principal_point_px.y);
-  text += "camera.R=[1 0 0; 0 1 0; 0 0 1]\n";
+  const glm::dmat3 rows = glm::transpose(flipped(posed_camera(camera, camera.resolution).rotation)) + 0.0;
+  text += fmt::format("camera.R=[{} {} {}; {} {} {}; {} {} {}]\n", rows[0].x, rows[0].y, rows[0].z, rows[1].x, rows[1].y,
+                      rows[1].z, rows[2].x, rows[2].y, rows[2].z);
   text += fmt::format("camera.T=[{} {} {}]\n", 0.0 - position[1], 0.0 - position[2], position[0]);
   text += fmt::format("camera.width={}\ncamera.height={}\n", camera.resolution.x, camera.resolution.y);
   if (c.rho > 0.0) text += fmt::format("rho={}\nt={}\n", c.rho, c.rho / camera.focal_px.x);

@@ -19,6 +19,7 @@
 #include "formats/view_files.hpp"
 #include "image/netpbm.hpp"
 #include "layout/cameras.hpp"
+#include "layout/posed_cameras.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/formats/formats.hpp"
 
@@ -47,7 +48,6 @@ std::vector<MivCamera> read_cvkit_cameras(const fs::path& folder, std::map<std::
   if (cameras.empty() || cameras.size() > kMaxCvkitCameras)
     throw Error(folder.string(), fmt::format("has {} files NAME_param.txt", cameras.size()),
                 fmt::format("1 to {}", kMaxCvkitCameras));
-  std::sort(cameras.begin(), cameras.end(), [](const MivCamera& a, const MivCamera& b) { return a.name < b.name; });
   sort_as_views(cameras);
   return cameras;
 }
@@ -122,24 +122,30 @@ LightField read_cvkit(const fs::path& folder, const FormatOptions& options) {
 Image cvkit_disparity(const LightField& field, int view, double rho) {
   Image map = depth_of(field, view);
   for (float& z : map.data) {
-    const double depth_m = 1e-3 * (field.cameras->distance_mm - static_cast<double>(z));
+    const double depth_m = 1e-3 * planar_depth_mm(field, z);
     z = std::isfinite(depth_m) && depth_m > 0.0 ? static_cast<float>(rho / depth_m) : kInfinity;
   }
   return map;
 }
 
+/// Returns the distance between neighbouring cameras, or 0 if it is unknown.
+double step_mm(const LightField& field) {
+  if (field.cameras) return mean_step(field.cameras->eyes_mm, field.grid);
+  return field.poses->size() > 1 ? glm::distance((*field.poses)[0].position_mm, (*field.poses)[1].position_mm) : 0.0;
+}
+
 std::vector<fs::path> write_cvkit(const LightField& field, const fs::path& folder, const FormatOptions&) {
-  if (!field.cameras)
+  if (!field.cameras && !field.poses)
     throw Error(folder.string(), "cannot be written: " + unknown_cameras(field),
-                "pictures with render's report.json beside them, an HCI folder with parameters.cfg, or `baseline`");
+                "pictures with render's report.json beside them, a folder whose files state cameras, or `baseline`");
   const auto name = [](int view) { return fmt::format("view_{:03}", view); };
   const char* ending = exact_ending(field.stack);
   std::vector<fs::path> written =
       write_view_files(field, folder, [&](int view) { return fmt::format("{}.{}", name(view), ending); });
   const std::vector<MivCamera> cameras =
-      miv_cameras(*field.cameras, field.view_size, std::vector<std::string>(field.cameras->eyes_mm.size()), 0.0, 0.0);
-  const double step_mm = mean_step(field.cameras->eyes_mm, field.grid);
-  const double rho = 1e-3 * (step_mm > 0.0 ? step_mm : kRhoBaselineMm) * cameras[0].focal_px.x;
+      miv_cameras(field, std::vector<std::string>(static_cast<std::size_t>(field.grid.count())), 0.0, 0.0);
+  const double step = step_mm(field);
+  const double rho = 1e-3 * (step > 0.0 ? step : kRhoBaselineMm) * cameras[0].focal_px.x;
   for (int view = 0; view < field.grid.count(); ++view) {
     const std::string text = cvkit_camera_text({cameras[static_cast<std::size_t>(view)], rho});
     written.push_back(cvkit_camera_path(folder, name(view)));

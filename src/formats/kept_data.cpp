@@ -108,7 +108,7 @@ const std::vector<KeptData>& kept_data() {
        "cameras in one plane",
        {"views", "hci", "stanford", "eslf", "miv", "nerf", "colmap", "llff", "rgbd", "cvkit"},
        cameras},
-      {kPoses, "cameras of any pose", {"nerf", "colmap", "llff"}, poses},
+      {kPoses, "cameras of any pose", {"miv", "nerf", "colmap", "llff", "cvkit"}, poses},
       {kPositions, "positions without a unit", {"views", "stanford", "eslf"}, positions},
       {kOffAxis, "off-axis pictures", {"views", "eslf", "miv", "nerf", "colmap", "rgbd", "cvkit"}, off_axis},
       {kPixelAspect,

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -49,10 +50,19 @@ double height_of(const MivCamera& camera) { return std::round(1e5 * camera.posit
 
 Vec2d eye_of(const MivCamera& camera) { return 1e3 * Vec2d(-camera.position_m[1], camera.position_m[2]); }
 
+bool is_turned(const MivCamera& camera) {
+  return camera.rotation_deg[0] != 0.0 || camera.rotation_deg[1] != 0.0 || camera.rotation_deg[2] != 0.0;
+}
+
 /// Converts a vector from the axes (forward, left, up) to the axes (right, up, backwards).
 Vec3d right_up_back(const Vec3d& v) { return {-v.y, v.z, -v.x}; }
 
-PosedCamera posed(const MivCamera& camera, Vec2i size) {
+/// Adds 0 because a file would show -0.
+Vec3d forward_left_up(const Vec3d& v) { return Vec3d{-v.z, -v.x, v.y} + 0.0; }
+
+}  // namespace
+
+PosedCamera posed_camera(const MivCamera& camera, Vec2i size) {
   const auto turn = [&](int angle, const Vec3d& axis) {
     return glm::angleAxis(glm::radians(camera.rotation_deg[angle]), axis);
   };
@@ -64,7 +74,20 @@ PosedCamera posed(const MivCamera& camera, Vec2i size) {
           1e3 * right_up_back({position[0], position[1], position[2]})};
 }
 
-}  // namespace
+MivCamera miv_camera(const PosedCamera& camera) {
+  const Vec3d forward = forward_left_up(-camera.rotation[2]), left = forward_left_up(-camera.rotation[0]),
+              up = forward_left_up(camera.rotation[1]), position = forward_left_up(camera.position_mm) / 1e3;
+  // If the camera looks straight up or down, its yaw is arbitrary. The roll compensates it.
+  const double yaw = std::atan2(forward.y, forward.x), cosine = std::cos(yaw), sine = std::sin(yaw);
+  const double pitch = std::atan2(-forward.z, cosine * forward.x + sine * forward.y);
+  const double roll = std::atan2(sine * up.x - cosine * up.y, cosine * left.y - sine * left.x);
+  MivCamera result;
+  std::ranges::copy(std::array{position.x, position.y, position.z}, result.position_m);
+  std::ranges::transform(std::array{yaw, pitch, roll}, result.rotation_deg, [](double a) { return glm::degrees(a) + 0.0; });
+  result.resolution = camera.size;
+  result.focal_px = camera.focal_px, result.principal_point_px = camera.principal_px;
+  return result;
+}
 
 std::vector<MivCamera> parse_miv_cameras(const std::string& text, const std::string& where) {
   constexpr std::size_t kMaxCameras = 4096;
@@ -116,7 +139,7 @@ void set_cameras(const std::vector<MivCamera>& cameras, LightField& field) {
   field.cameras = cameras_of_miv(cameras);
   if (field.cameras) return;
   field.poses.emplace();
-  for (const MivCamera& camera : cameras) field.poses->push_back(posed(camera, field.view_size));
+  for (const MivCamera& camera : cameras) field.poses->push_back(posed_camera(camera, field.view_size));
 }
 
 void warn_of_missing_cameras(const std::vector<MivCamera>& cameras, const std::string& where, const FormatOptions& options) {
@@ -126,6 +149,7 @@ void warn_of_missing_cameras(const std::vector<MivCamera>& cameras, const std::s
 }
 
 void sort_as_views(std::vector<MivCamera>& cameras) {
+  if (std::ranges::any_of(cameras, is_turned)) return;
   std::stable_sort(cameras.begin(), cameras.end(), [](const MivCamera& a, const MivCamera& b) {
     return height_of(a) != height_of(b) ? height_of(a) < height_of(b) : a.position_m[1] > b.position_m[1];
   });
@@ -134,7 +158,8 @@ void sort_as_views(std::vector<MivCamera>& cameras) {
 ViewGrid grid_of_cameras(const std::vector<MivCamera>& cameras, std::optional<ViewGrid> views, const std::string& where) {
   const int count = static_cast<int>(cameras.size());
   int rows = 1;
-  for (std::size_t i = 1; i < cameras.size(); ++i) rows += height_of(cameras[i]) != height_of(cameras[i - 1]);
+  if (std::ranges::none_of(cameras, is_turned))
+    for (std::size_t i = 1; i < cameras.size(); ++i) rows += height_of(cameras[i]) != height_of(cameras[i - 1]);
   const ViewGrid grid = views.value_or(count % rows == 0 ? ViewGrid{count / rows, rows} : ViewGrid{count, 1});
   if (grid.count() != count)
     throw usage_error("views", fmt::format("{}x{} does not match the {} views in {}", grid.columns, grid.rows, count, where));
@@ -158,6 +183,18 @@ std::vector<MivCamera> miv_cameras(const ViewCameras& cameras, Vec2i view_size, 
   return all;
 }
 
+std::vector<MivCamera> miv_cameras(const LightField& field, const std::vector<std::string>& names, double near_m,
+                                   double far_m) {
+  if (field.cameras) return miv_cameras(*field.cameras, field.view_size, names, near_m, far_m);
+  std::vector<MivCamera> all;
+  for (std::size_t view = 0; view < names.size(); ++view) {
+    MivCamera& camera = all.emplace_back(miv_camera((*field.poses)[view]));
+    camera.name = names[view];
+    camera.near_m = near_m, camera.far_m = far_m;
+  }
+  return all;
+}
+
 std::optional<ViewCameras> cameras_of_miv(const std::vector<MivCamera>& cameras) {
   const MivCamera& first = cameras.front();
   // If the eye moves by m mm and the principal point shifts by p pixels, the plane with zero disparity is at the distance
@@ -173,8 +210,7 @@ std::optional<ViewCameras> cameras_of_miv(const std::vector<MivCamera>& cameras)
   result.centre_px = first.principal_point_px - eye_of(first) / result.pixel_mm * Vec2d(1.0, -1.0);
   for (const MivCamera& c : cameras) {
     const Vec2d centre = c.principal_point_px - eye_of(c) / result.pixel_mm * Vec2d(1.0, -1.0);
-    const bool turned = c.rotation_deg[0] != 0.0 || c.rotation_deg[1] != 0.0 || c.rotation_deg[2] != 0.0;
-    if (turned || c.position_m[0] != first.position_m[0] || c.focal_px != first.focal_px ||
+    if (is_turned(c) || c.position_m[0] != first.position_m[0] || c.focal_px != first.focal_px ||
         glm::distance(centre, result.centre_px) > 0.01)
       return std::nullopt;
     result.eyes_mm.push_back(eye_of(c));

@@ -11,6 +11,7 @@
 
 #include "lippmann/formats/formats.hpp"
 #include "lippmann/layout/light_field.hpp"
+#include "lippmann/layout/posed_camera.hpp"
 
 namespace lippmann {
 
@@ -30,7 +31,13 @@ std::vector<MivCamera> parse_miv_cameras(const std::string& text, const std::str
 /// Returns the contents of cameras.json. `depth`: whether there are depth maps beside the views.
 std::string miv_cameras_text(const std::vector<MivCamera>& cameras, const std::string& content, bool depth);
 
-/// Sorts cameras by rows from bottom to top, and from left to right within a row.
+/// Converts a camera of any pose. The view's size is `size`.
+PosedCamera posed_camera(const MivCamera& camera, Vec2i size);
+
+/// Reverses posed_camera(). The name and the depth range are not set.
+MivCamera miv_camera(const PosedCamera& camera);
+
+/// Sorts parallel cameras by rows from bottom to top, and from left to right within a row. Other cameras keep their order.
 void sort_as_views(std::vector<MivCamera>& cameras);
 
 /// Sets field.cameras if all cameras are parallel, have their eyes in one plane and show the same rectangle of another plane.
@@ -41,13 +48,16 @@ void set_cameras(const std::vector<MivCamera>& cameras, LightField& field);
 void warn_of_missing_cameras(const std::vector<MivCamera>& cameras, const std::string& where, const FormatOptions& options);
 
 /// Returns the grid of sorted cameras: `views` if it is given, otherwise one row per camera height. If the number of cameras is
-/// not a multiple of the number of heights, returns a single row. Throws a usage Error naming `where` if `views` has a
-/// different number of cameras.
+/// not a multiple of the number of heights, or if a camera is rotated, returns a single row. Throws a usage Error naming
+/// `where` if `views` has a different number of cameras.
 ViewGrid grid_of_cameras(const std::vector<MivCamera>& cameras, std::optional<ViewGrid> views, const std::string& where);
 
 /// Converts ViewCameras, whose eyes are all in one plane. near_m, far_m: depth range of all cameras.
 std::vector<MivCamera> miv_cameras(const ViewCameras& cameras, Vec2i view_size, const std::vector<std::string>& names,
                                    double near_m, double far_m);
+
+/// Converts the cameras or poses of a light field, which must have either.
+std::vector<MivCamera> miv_cameras(const LightField& field, const std::vector<std::string>& names, double near_m, double far_m);
 
 /// Converts cameras in view order to ViewCameras. Returns none unless the cameras are parallel, have their eyes in one
 /// plane, and show the same rectangle of another plane.

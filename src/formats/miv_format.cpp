@@ -13,6 +13,7 @@
 #include "formats/stated_cameras.hpp"
 #include "formats/view_files.hpp"
 #include "layout/cameras.hpp"
+#include "layout/posed_cameras.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/formats/formats.hpp"
 
@@ -118,7 +119,7 @@ struct DepthRange {
 DepthRange depth_range(const LightField& field) {
   double nearest = INFINITY, farthest = 0.0;
   for (const float z : field.depth->data) {
-    const double depth = 1e-3 * (field.cameras->distance_mm - static_cast<double>(z));
+    const double depth = 1e-3 * planar_depth_mm(field, z);
     if (!(depth > 0.0) || !std::isfinite(depth)) continue;
     nearest = std::min(nearest, depth), farthest = std::max(farthest, depth);
   }
@@ -132,7 +133,7 @@ Image16 depth_codes(const LightField& field, int view, const DepthRange& range) 
   const Image depth = depth_of(field, view);
   Image16 codes{depth.width, depth.height, {}};
   for (const float z : depth.data) {
-    const double metres = 1e-3 * (field.cameras->distance_mm - static_cast<double>(z));
+    const double metres = 1e-3 * planar_depth_mm(field, z);
     const double share = (1.0 / metres - 1.0 / range.far_m) / (1.0 / range.near_m - 1.0 / range.far_m);
     const bool there = std::isfinite(metres) && metres > 0.0;
     const auto code = static_cast<std::uint16_t>(there ? std::clamp(std::round(kHighest * share), 1.0, kHighest) : 0.0);
@@ -142,9 +143,9 @@ Image16 depth_codes(const LightField& field, int view, const DepthRange& range) 
 }
 
 std::vector<fs::path> write_miv(const LightField& field, const fs::path& folder, const FormatOptions&) {
-  if (!field.cameras)
+  if (!field.cameras && !field.poses)
     throw Error(folder.string(), "cannot be written: " + unknown_cameras(field),
-                "pictures with render's report.json beside them, or an HCI folder with parameters.cfg");
+                "pictures with render's report.json beside them, or a folder whose files state cameras");
   const auto name = [](int view) { return fmt::format("view_{:03}", view); };
   const char* ending = exact_ending(field.stack);
   std::vector<fs::path> written =
@@ -157,8 +158,8 @@ std::vector<fs::path> write_miv(const LightField& field, const fs::path& folder,
     written.push_back(folder / (name(view) + kDepthEnding));
     write_picture(written.back(), depth_codes(field, view, range));
   }
-  const std::string text = miv_cameras_text(miv_cameras(*field.cameras, field.view_size, names, range.near_m, range.far_m),
-                                            folder.filename().string(), field.depth.has_value());
+  const std::string text = miv_cameras_text(miv_cameras(field, names, range.near_m, range.far_m), folder.filename().string(),
+                                            field.depth.has_value());
   write_file_atomically(folder / "cameras.json", std::as_bytes(std::span(text)));
   written.push_back(folder / "cameras.json");
   return written;

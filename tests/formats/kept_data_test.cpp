@@ -247,8 +247,8 @@ std::string llff_refusal(const LightField& field) {
 std::string refusal(const LightField& field, std::string_view to) {
   if (to == "stereo" && field.grid != ViewGrid{2, 1}) return "a stereo picture has the views of two eyes";
   if (to == "quad" && field.grid != ViewGrid{4, 1}) return "a quad has 4 views";
-  if ((to == "miv" || to == "cvkit") && !field.cameras) return "cannot be written";
-  if ((to == "nerf" || to == "colmap" || to == "llff") && !has_cameras(field)) return "cannot be written";
+  if ((to == "miv" || to == "cvkit" || to == "nerf" || to == "colmap" || to == "llff") && !has_cameras(field))
+    return "cannot be written";
   if (to == "llff") return llff_refusal(field);
   if (to == "hci" && field.cameras && std::abs(field.cameras->pixel_mm.x / field.cameras->pixel_mm.y - 1.0) > 1e-4)
     return "not square";

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "formats/miv_cameras.hpp"
+#include "layout/cameras.hpp"
 #include "layout/light_fields.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/formats/formats.hpp"
@@ -102,18 +103,15 @@ TEST(MivFormat, cameras_without_a_common_window_keep_poses) {
   EXPECT_LT(glm::distance((*back.poses)[1].position_mm, Vec3d(10.0, 6.0, 0.0)), 1e-9);
   EXPECT_EQ((*back.poses)[1].principal_px, Vec2d(40.0, 3.0));
   EXPECT_FLOAT_EQ(back.depth->data[0], -500.0f) << "z in the camera's frame: the largest code is `near`, 0.5 m";
-  const auto refusal = [&] {
-    return error_message([&] { miv_format().write(miv_format().read(dir / "m", {}), dir / "o", {}); });
-  };
-  EXPECT_THAT(refusal(), AllOf(HasSubstr("cannot be written"),
-                               HasSubstr("the camera of view 1 has the focal lengths 990x1000 pixels, and that of view 0 has "
-                                         "1000x1000")));
+  const auto reason = [&] { return unknown_cameras(miv_format().read(dir / "m", {})); };
+  EXPECT_THAT(reason(), HasSubstr("the camera of view 1 has the focal lengths 990x1000 pixels, and that of view 0 has "
+                                  "1000x1000"));
   cameras[1].focal_px.x = 1000.0, cameras[1].rotation_deg[1] = 3.0;
   std::ofstream(dir / "m/cameras.json") << miv_cameras_text(cameras, "room", true);
-  EXPECT_THAT(refusal(), HasSubstr("the camera of view 1 is rotated against that of view 0"));
+  EXPECT_THAT(reason(), HasSubstr("the camera of view 1 is rotated against that of view 0"));
   cameras[1].rotation_deg[1] = 0.0, cameras[1].position_m[0] = 0.1;
   std::ofstream(dir / "m/cameras.json") << miv_cameras_text(cameras, "room", true);
-  EXPECT_THAT(refusal(), HasSubstr("the camera of view 1 is not in one plane with that of view 0"));
+  EXPECT_THAT(reason(), HasSubstr("the camera of view 1 is not in one plane with that of view 0"));
 }
 
 TEST(MivFormat, depth_codes_match_formula) {
