@@ -172,10 +172,13 @@ void validate_depth(const Optics& optics, double z_mm, const char* flag) {
     throw usage_error(flag, "a single lens or view has no parallax, so there is no depth to focus on",
                       "pictures of several lenses, or of several views");
   if (!(std::abs(z_mm) <= 1e9)) throw usage_error(flag, fmt::format("{} mm is out of range", z_mm), "-1e9 to 1e9");
-  if (!(z_mm * viewer.vergence < 0.999))
-    throw usage_error(
-        flag, fmt::format("a plane at z = {} mm is not in front of the viewer, at z = {:.6g} mm", z_mm, 1.0 / viewer.vergence),
-        "a smaller depth");
+  const double share = 1.0 - z_mm * viewer.vergence;  // distance of the plane from the viewer, divided by that of the panel
+  constexpr double kLeastShare = 1e-4;                // rays in single precision are exact to 1e-7 of the panel's distance
+  if (share >= kLeastShare) return;
+  throw usage_error(flag,
+                    fmt::format("a plane at z = {:.9g} mm is {} the viewer, at z = {:.9g} mm", z_mm,
+                                share > 0.0 ? "too near" : "not in front of", 1.0 / viewer.vergence),
+                    fmt::format("depths below {:.9g} mm", (1.0 - kLeastShare) / viewer.vergence));
 }
 
 Image refocus(const RenderedPanel& rendered, double z_mm, Vec2i size, const ThreadPool& pool, Image* disagreement,

@@ -65,6 +65,20 @@ TEST(Disparity, near_plane_is_refocused) {
   EXPECT_LT(psnr_of_plane(refocus(panel, other_mm, kViewSize, pool)), 25.0);
 }
 
+TEST(Disparity, near_plane_is_refocused_before_a_very_distant_panel) {
+  constexpr double kPanel_mm = 1e6, kPx = kTrialPx * (1.0 - 130.0 / kPanel_mm);
+  LightField field = plane_seen(kPx);
+  const StatedCameras stated{
+      .baseline_mm = 6.25, .focal_length_mm = 8.0, .sensor_width_mm = 0.0024 * kViewSize.x, .focus_distance_mm = kPanel_mm};
+  field.cameras = cameras_as_stated(stated, field, "a");
+  const Optics optics = optics_of_cameras(field, "a");
+  const double z_mm = depth_of_disparity_px(optics, kPx, "refocus");
+  EXPECT_NEAR(z_mm, kPanel_mm - 130.0, 0.1);
+  validate_depth(optics, z_mm, "refocus");
+  const ThreadPool pool(2);
+  EXPECT_GT(psnr_of_plane(refocus(panel_of(field, optics, "plane"), z_mm, kViewSize, pool)), 35.0);
+}
+
 TEST(Disparity, depth_agrees_with_stated_cameras) {
   LightField field = plane_seen(0.0);
   const StatedCameras stated{

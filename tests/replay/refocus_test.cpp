@@ -141,6 +141,8 @@ TEST(Refocus, invalid_depths_are_refused) {
   EXPECT_THAT(test::error_message([&] { validate_depth(one_lens, 1.0, "--refocus"); }), testing::HasSubstr("no parallax"));
   EXPECT_EQ(message(-1000.0), "(no Error)");
   EXPECT_EQ(message(140.0), "(no Error)");
+  EXPECT_EQ(message(149.98), "(no Error)");
+  EXPECT_THAT(message(149.99), testing::HasSubstr("too near the viewer"));
 }
 
 }  // namespace
