@@ -83,13 +83,12 @@ std::vector<fs::path> write_nerf(const LightField& field, const fs::path& folder
     for (fs::path& path : write_posed_depth(field, view, picture.camera, folder, picture.depth))
       written.push_back(std::move(path));
   }
-  const auto write = [&](const char* name, const std::vector<PosedPicture>& listed) {
-    const std::string text = transforms_text(listed);
+  const auto write = [&](const char* name, const std::string& text) {
     write_file_atomically(written.emplace_back(folder / name), std::as_bytes(std::span(text)));
   };
   for (const auto& [name, split] : kSplitFiles)
-    if (const std::vector<PosedPicture> part = pictures_of_split(pictures, split); !part.empty()) write(name, part);
-  write("transforms.json", pictures);
+    if (const std::string text = split_transforms_text(pictures, split); !text.empty()) write(name, text);
+  write("transforms.json", transforms_text(pictures));
   return written;
 }
 

@@ -245,4 +245,11 @@ std::string transforms_text(const std::vector<PosedPicture>& pictures) {
   return json_to_text(json) + '\n';
 }
 
+std::string split_transforms_text(const std::vector<PosedPicture>& pictures, Split split) {
+  std::vector<PosedPicture> part = pictures_of_split(pictures, split);
+  for (PosedPicture& picture : part)
+    picture.picture = "./" + std::filesystem::path(picture.picture).replace_extension().generic_string();
+  return part.empty() ? std::string() : transforms_text(part);
+}
+
 }  // namespace lippmann

@@ -25,4 +25,9 @@ std::vector<PosedPicture> parse_transforms(const std::string& text, const std::s
 /// written. If no picture is for validation, the pictures for testing are also listed for validation.
 std::string transforms_text(const std::vector<PosedPicture>& pictures);
 
+/// Returns the contents of transforms_train.json, transforms_val.json or transforms_test.json: the pictures of one split. Empty
+/// if the split has no pictures. The names of the pictures have no extension, because 3D Gaussian Splatting
+/// (readCamerasFromTransforms) and nerfstudio (blender_dataparser) append .png.
+std::string split_transforms_text(const std::vector<PosedPicture>& pictures, Split split);
+
 }  // namespace lippmann

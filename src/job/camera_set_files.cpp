@@ -40,9 +40,7 @@ void write_nerf_set(const RenderSetup& setup, RenderFolder& folder) {
   const std::vector<PosedPicture> now = pictures_of(setup, folder.now());
   const auto write_part = [&](const char* name, Split split) {
     if (pictures_of_split(now, split).empty()) return;
-    folder.write(name, [&](const FolderJournal& journal) {
-      return transforms_text(pictures_of_split(pictures_of(setup, journal), split));
-    });
+    folder.write(name, [&](const FolderJournal& journal) { return split_transforms_text(pictures_of(setup, journal), split); });
   };
   write_part("transforms_train.json", Split::kTraining);
   write_part("transforms_test.json", Split::kTest);

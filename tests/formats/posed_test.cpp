@@ -253,7 +253,23 @@ TEST(NerfFormat, splits_come_back) {
   EXPECT_EQ(nerf_format().read(dir / "m", {}).splits, field.splits);
   const auto json = nlohmann::json::parse(read_file_text(dir / "m/transforms_test.json", 1 << 20));
   EXPECT_EQ(json["frames"].size(), 1u);
-  EXPECT_EQ(json["frames"][0]["file_path"], "images/003.png");
+  EXPECT_EQ(json["frames"][0]["file_path"], "./images/003");
+}
+
+TEST(NerfFormat, files_of_parts_name_pictures_without_extension) {
+  const TempDir dir;
+  nerf_format().write(split_views(), dir / "m", {});
+  for (const auto& [name, pictures] : {std::pair("train", 2), std::pair("val", 1), std::pair("test", 1)}) {
+    const std::string file = std::string("m/transforms_") + name + ".json";
+    const auto json = nlohmann::json::parse(read_file_text(dir / file, 1 << 20));
+    EXPECT_EQ(std::ssize(json["frames"]), pictures) << name;
+    EXPECT_TRUE(json.contains("camera_angle_x")) << name;
+    for (const auto& frame : json["frames"])
+      EXPECT_TRUE(std::filesystem::exists(dir / "m" / (frame["file_path"].get<std::string>() + ".png"))) << frame;
+  }
+  const auto all = nlohmann::json::parse(read_file_text(dir / "m/transforms.json", 1 << 20));
+  EXPECT_EQ(all["frames"][3]["file_path"], "images/003.png");
+  EXPECT_EQ(all["val_filenames"], nlohmann::json({"images/001.png"}));
 }
 
 TEST(NerfFormat, files_of_parts_are_read_together) {

@@ -200,7 +200,7 @@ class Splits(Case):
                 parts.save(self.folder / name, name)
                 np.testing.assert_array_equal(lippmann.open(self.folder / name).split, kept)
         names = json.loads((self.folder / "nerf/transforms_test.json").read_text())["frames"]
-        self.assertEqual([frame["file_path"] for frame in names], ["images/001.png"])
+        self.assertEqual([frame["file_path"] for frame in names], ["./images/001"])
 
     def test_the_tools_split_is_read(self):
         tool("render", "teapot", "--cameras", "circle:8", "--size", "16x12", "--spp", "1", "--to", "colmap", "-o", self.folder / "set", "-q")
