@@ -108,6 +108,8 @@ class LightField:
             own.set_cameras(distance, (baseline, baseline), pixel)
         if has_poses:
             _set_poses(own, world_from_camera, intrinsics_px, (rows, columns))
+            if z is not None:
+                _check_depth_of_poses(z)
         if split is not None:
             _set_splits(own, split, (rows, columns))
 
@@ -652,6 +654,17 @@ def _set_poses(views: _core.Views, world_from_camera: Any, intrinsics_px: Any, g
     if not np.allclose(matrices[..., 3, :], (0, 0, 0, 1), rtol=0, atol=1e-6):
         raise Error("world_from_camera", "has a last row other than (0, 0, 0, 1)", "a rotation and a position for each camera")
     views.set_poses(matrices.reshape(-1, 4, 4), lengths.reshape(-1, 4))
+
+
+def _check_depth_of_poses(z: NDArray[Any]) -> None:
+    behind = z >= 0
+    if behind.any():
+        place = tuple(int(i) for i in np.argwhere(behind)[0])
+        raise Error(
+            "depth",
+            f"is {z[place]:g} at {place}",
+            "with world_from_camera, z in the frame of each camera in mm, below 0; -inf where there is no surface",
+        )
 
 
 def _set_splits(views: _core.Views, split: Any, grid: Tuple[int, int]) -> None:

@@ -104,6 +104,21 @@ class Poses(Case):
         self.assertWrong("world_from_camera", made, distance_mm=3, baseline_mm=1, pixel_mm=1)
 
 
+    def test_depth_behind_a_camera_is_refused(self):
+        field, matrices, intrinsics = posed_field()
+
+        def made(z):
+            depth = field.depth.copy()
+            depth[0, 2, 5, 7] = z
+            return lippmann.LightField(field.views, depth, world_from_camera=matrices, intrinsics_px=intrinsics)
+
+        for z in (2000, 0, np.inf):
+            error = self.assertWrong("depth", made, z)
+            self.assertIn("at (0, 2, 5, 7)", error.problem)
+            self.assertIn("z in the frame of each camera in mm, below 0", error.accepted)
+        self.assertEqual(made(-np.inf).depth[0, 2, 5, 7], -np.inf)
+
+
 class CameraSets(Case):
     def frames(self, **options):
         view = lippmann.single_view(SIZE, pixel_mm=64 / SIZE[1])
