@@ -153,12 +153,24 @@ void read_depths(const fs::path& folder, const std::vector<PosedPicture>& pictur
       return leave_out_depth(field, options, picture.entry + ": " + problem);
   field.depth = Image(field.view_size.x, field.view_size.y * field.grid.count(), 1);
   const double plane = field.cameras ? field.cameras->distance_mm : 0.0;
+  std::ptrdiff_t undefined = 0;
+  std::string first_undefined;
   for (int view = 0; view < field.grid.count(); ++view) {
-    Image depth = read_planar_depth(folder / pictures[static_cast<std::size_t>(view)].depth, field.view_size);
+    const fs::path file = folder / pictures[static_cast<std::size_t>(view)].depth;
+    Image depth = read_planar_depth(file, field.view_size);
+    const auto nan = std::ranges::find_if(depth.data, [](float d) { return std::isnan(d); });
+    if (undefined == 0 && nan != depth.data.end()) {
+      const std::ptrdiff_t pixel = nan - depth.data.begin();
+      first_undefined = fmt::format("{}: pixel ({}, {})", file.string(), pixel % depth.width, pixel / depth.width);
+    }
+    undefined += std::count_if(nan, depth.data.end(), [](float d) { return std::isnan(d); });
     for (float& d : depth.data)
       d = d > 0.0f && std::isfinite(d) ? static_cast<float>(plane - static_cast<double>(d)) : -kInfinity;
     set_depth(field, view, depth);
   }
+  if (undefined > 0 && options.warn)
+    options.warn(
+        fmt::format("{}: depth is NaN; such pixels, {} in all views, are read as no surface", first_undefined, undefined));
 }
 
 unsigned char code_of(const Picture& stack, std::size_t sample) {

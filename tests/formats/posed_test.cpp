@@ -1,5 +1,7 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -254,6 +256,28 @@ TEST(NerfFormat, splits_come_back) {
   const auto json = nlohmann::json::parse(read_file_text(dir / "m/transforms_test.json", 1 << 20));
   EXPECT_EQ(json["frames"].size(), 1u);
   EXPECT_EQ(json["frames"][0]["file_path"], "./images/003");
+}
+
+TEST(NerfFormat, undefined_depth_is_named_once) {
+  const TempDir dir;
+  nerf_format().write(turned_views(), dir / "m", {});
+  for (const int view : {1, 3}) {
+    Image depth(40, 30, 1);
+    std::ranges::fill(depth.data, 2000.0f);
+    depth.data[0] = 0.0f, depth.data[2 * 40 + 5] = std::nanf(""), depth.data[100] = std::nanf("");
+    const std::vector<std::size_t> shape{30, 40};
+    const std::vector<std::byte> bytes = encode_npy(std::span<const float>(depth.data), shape);
+    std::ofstream(dir / fmt::format("m/depth/{:03}.npy", view), std::ios::binary)
+        .write(reinterpret_cast<const char*>(bytes.data()), std::ssize(bytes));
+  }
+  std::vector<std::string> warnings;
+  FormatOptions options;
+  options.warn = [&](std::string_view warning) { warnings.emplace_back(warning); };
+  const LightField field = nerf_format().read(dir / "m", options);
+  ASSERT_THAT(warnings, testing::SizeIs(1));
+  EXPECT_THAT(warnings[0], AllOf(HasSubstr("depth/001.npy: pixel (5, 2)"), HasSubstr("4 in all views")));
+  EXPECT_EQ(*depth_of(field, 1).pixel(5, 2), -INFINITY);
+  EXPECT_EQ(*depth_of(field, 1).pixel(6, 2), -2000.0f);
 }
 
 TEST(NerfFormat, files_of_parts_name_pictures_without_extension) {
