@@ -112,6 +112,8 @@ TEST_F(LayoutRenders, impossible_layouts_are_refused_first) {
   refused(grid + Settings{{"to", "hci"}, {"video", dir_ / "a.mp4"}}, "video: needs a layout with one picture per frame");
   refused(grid + Settings{{"to", "hci"}, {"format", "tiff"}}, "format: light-field formats do not use TIFF");
   refused({{"lens-pixels", "7.5"}, {"to", "views"}}, "whole number of pixels");
+  for (const char* to : {"nerf", "hci", "eslf"})
+    refused({{"optics", "plenoptic"}, {"lens-pixels", "9"}, {"to", to}}, "to: the views of a plenoptic camera are computed");
 }
 
 TEST_F(LayoutRenders, tiff_has_png_codes_and_fixed_time) {
