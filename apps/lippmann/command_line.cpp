@@ -32,7 +32,9 @@ std::string suggestion(const std::string& word, const CLI::App& command) {
   // Compare names without dashes, because leading dashes would make any two short flags similar.
   const std::string_view dashes = word.starts_with("-") ? "--" : "";
   const std::string name = word.substr(std::min(word.find_first_not_of('-'), word.size()));
-  const std::string nearest = nearest_name(name.substr(0, name.find('=')), candidates);
+  const std::string flag = name.substr(0, name.find('='));
+  const bool is_packing = flag == "lens-arrangement" && std::ranges::find(names, "packing") != names.end();  // convert's name
+  const std::string nearest = is_packing ? "packing" : nearest_name(flag, candidates);
   return nearest.empty() ? std::string() : fmt::format(", did you mean '{}{}'?", dashes, nearest);
 }
 

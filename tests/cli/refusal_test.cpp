@@ -100,6 +100,7 @@ INSTANTIATE_TEST_SUITE_P(
         render({"--also", "singel"}, "did you mean 'single'?; accepted: single"),
         render({"--progress", "jsn"}, "did you mean 'json'?; accepted: json"),
         render({"--keyframes", "atuo"}, "accepted: auto, or a whole number from 2"),
+        render({"--lens-arrangement", "hexagonal"}, "did you mean '--packing'?"),
         render({"--lense", "3"}, "did you mean '--lenses'?"), render({"--reuse", "exactly"}, "--reuse"),
         render({"--spp", "1", "--spp", "2"}, "--spp"), render({"--spp"}, "--spp"), render({"--spp", "-1"}, "from 0 to 65536"),
         render({"--optics", "fresnel"}, "lenticular, microlens, multiview, single"), render({"--size", "0x0"}, "--size"),
