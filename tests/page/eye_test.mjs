@@ -54,3 +54,22 @@ test("depth interpolates views better than blending", async () => {
   console.log(`by depth ${psnr.depth.toFixed(1)} dB, blended ${psnr.blend.toFixed(1)} dB`);
   assert.ok(psnr.depth >= psnr.blend + 3, `by depth ${psnr.depth} dB, blended ${psnr.blend} dB`);
 });
+
+test("the limits of the eye are within the zone", async () => {
+  for (const [name, make] of [["sheet", sheet], ["quilt", quilt], ["fractional", fractional]]) {
+    make();
+    const page = await open(await view(name));
+    for (const key of ["Home", "End"]) {
+      const before = page.url();
+      await page.getByRole("slider", { name: "Left to right" }).press(key);
+      await page.waitForFunction((before) => location.href !== before, before);
+      for (const loads of [1, 2]) {
+        await page.waitForSelector('#stage[data-drawn="true"]');
+        const { share, eye } = await page.evaluate(() => ({ share: window.lippmann.outOfZone, eye: window.lippmann.state.eye }));
+        assert.equal(share, 0, `${name}, ${key}, load ${loads}: ${eye}`);
+        assert.equal(await page.locator("#notice").textContent(), "");
+        if (loads === 1) await page.reload();
+      }
+    }
+  }
+});

@@ -1,12 +1,12 @@
-// The page of a running render shows finished frames, and stops and resumes the render.
+// The page of a running render shows finished frames, and stops and resumes the render. Unfinished frames are grey.
 import assert from "node:assert/strict";
 import { once } from "node:events";
 import { existsSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { test } from "node:test";
-import { begin, expectComplaints, eyeCodes, inFolder, lippmann, open, view } from "./support.mjs";
+import { begin, expectComplaints, eyeCodes, inFolder, lippmann, open, set, view } from "./support.mjs";
 
 const kFrames = 8;
-const job = (folder) => ["render", "room", "--optics", "multiview", "--views", "4x1", "--size", "256x64", "--layout", "quilt", "--aov", "depth", "--integrator", "path", "--spp", "24", "--reuse", "none", "--frames", `0-${kFrames - 1}`, "-o", folder, "-q"];
+const job = (folder, spp = "24") => ["render", "room", "--optics", "multiview", "--views", "4x1", "--size", "256x64", "--layout", "quilt", "--aov", "depth", "--integrator", "path", "--spp", spp, "--reuse", "none", "--frames", `0-${kFrames - 1}`, "-o", folder, "-q"];
 const frames = (folder) => readdirSync(inFolder(folder)).filter((name) => /^(frame|aov)_/.test(name)).sort();
 const pictures = (folder) => frames(folder).filter((name) => name.endsWith(".png"));
 const isStopped = (page) => page.waitForFunction(() => window.lippmann?.run.state === "stopped", null, { timeout: 60000 });
@@ -112,4 +112,34 @@ test("a killed render is shown as stopped", async () => {
   await page.getByRole("button", { name: "Resume" }).click();
   await page.waitForFunction(() => /job.toml: was changed after the render wrote it/.test(document.querySelector("#notice").textContent));
   assert.equal(await page.evaluate(() => window.lippmann.run.state), "stopped");
+});
+
+/** Codes of the middle of the canvas. */
+const middle = () => page.evaluate(() => {
+  const gl = document.querySelector("canvas").getContext("webgl2");
+  const codes = new Uint8Array(4);
+  gl.readPixels(gl.drawingBufferWidth >> 1, gl.drawingBufferHeight >> 1, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, codes);
+  return [...codes.slice(0, 3)];
+});
+
+test("an unfinished frame is grey, without a hint", async () => {
+  const early = begin(...job("early", "256"));
+  await until(() => existsSync(inFolder("early/report.json")));
+  early.kill("SIGSTOP");
+  assert.deepEqual(pictures("early"), []);
+  await page.goto(await view("early"));
+  await page.waitForSelector('#stage[data-drawn="true"]');
+  const [hint, bar] = [page.locator("#hint"), page.getByRole("progressbar", { name: "Render" })];
+  for (const theme of ["light", "dark"]) {
+    await set(page, { theme });
+    const [red, green, blue] = await middle();
+    assert.ok(red >= 40 && red <= 215 && Math.abs(red - green) < 4 && Math.abs(red - blue) < 4, `${theme}: ${[red, green, blue]}`);
+  }
+  assert.equal(await hint.isVisible(), false);
+  assert.equal(await bar.getAttribute("value"), null);
+  await haltedAfter(2, early, "early");
+  await page.waitForSelector('#stage[data-drawn="true"][data-pending="false"]');
+  assert.equal(await hint.isVisible(), true);
+  assert.notEqual(await bar.getAttribute("value"), null);
+  early.kill("SIGKILL");
 });

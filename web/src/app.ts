@@ -1,7 +1,7 @@
 // The page of a light field: connects its parts, and redraws the picture when the state changes.
 import { makeControls } from "./controls";
 import type { PanelDisplay } from "./display";
-import { depthOfDisparity, naturalSize, Refusal, shareOfZone, shareOutOfZone, slopeInZone, type Field } from "./field";
+import { depthOfDisparity, naturalSize, Refusal, shareOfZone, shareOutOfZone, slopeInZone, slopeWithinZone, type Field } from "./field";
 import { send, type pictures } from "./drop";
 import { canSavePage, download, isLocalPage, loadBytes } from "./data";
 import { Frames } from "./frames";
@@ -311,7 +311,7 @@ export class App {
   private maySway(): boolean {
     const [field] = this.fields;
     const isThere = byId("stage").dataset.drawn === "true" && (!this.live || this.live.isAtRest);
-    return isThere && field.across.views * field.up.views > 1 && this.store.state.show === "eye" && !this.timeline.playing && !this.tilt.isOn && !this.print?.isWanted;
+    return isThere && !this.isPending && field.across.views * field.up.views > 1 && this.store.state.show === "eye" && !this.timeline.playing && !this.tilt.isOn && !this.print?.isWanted;
   }
 
   private motionChanged(): void {
@@ -377,15 +377,17 @@ export class App {
     } catch (error) {
       if (!(error instanceof Refusal)) throw error;
       this.notify("frame", error.message);
+      if (this.isPending) this.renderer.drawBlank(state, this.ground);
       drawn = true;
     }
     const isWhole = drawn && !this.isPreview();
-    this.hasDrawn ||= drawn;
+    this.hasDrawn ||= drawn && !this.isPending;
     const stage = byId("stage");
     this.showProgress("frame", isWhole || this.live ? null : { what: "Loading", ...(this.frames.progress ?? { bytes: 0, of: null }) });
     if (!this.live) stage.dataset.outdated = String(!drawn && this.hasDrawn);
     stage.dataset.show = state.show;
-    stage.dataset.empty = String(!this.hasDrawn);
+    stage.dataset.empty = String(!this.hasDrawn && !this.isPending);
+    stage.dataset.pending = String(this.isPending);
     stage.dataset.preview = String(drawn && !isWhole);
     stage.dataset.drawn = String(isWhole && divisor === 1 && !this.frames.isAsking);
     stage.dataset.divisor = String(divisor);
@@ -400,6 +402,11 @@ export class App {
     this.showLine();
     this.showCaptions();
     if (isWhole) void this.prefetch();
+  }
+
+  /** Whether the selected frame is not rendered yet. */
+  private get isPending(): boolean {
+    return this.fields[0].frames[this.store.state.frame].pending ?? false;
   }
 
   private isPreview(): boolean {
@@ -525,7 +532,7 @@ export class App {
     const values = byId<HTMLOutputElement>("values");
     const { pointer } = this.hands;
     const share = pointer && this.renderer.shareAt(state, pointer.x, pointer.y);
-    if (!share || state.show === "display") {
+    if (!share || state.show === "display" || this.isPending) {
       values.value = "";
       return;
     }
@@ -570,9 +577,8 @@ export class App {
   private eyeAt(across: number, up: number): State["eye"] {
     const { eye } = this.store.state;
     const field = this.fields[0];
-    const within = (share: number) => Math.min(Math.max(share, 0), 1);
-    const x = field.across.views > 1 ? slopeInZone(field.across, within(across)) * eye[2] : eye[0];
-    const y = field.up.views > 1 ? slopeInZone(field.up, within(up)) * eye[2] : eye[1];
+    const x = field.across.views > 1 ? slopeWithinZone(field.across, across) * eye[2] : eye[0];
+    const y = field.up.views > 1 ? slopeWithinZone(field.up, up) * eye[2] : eye[1];
     return [x, y, eye[2]];
   }
 

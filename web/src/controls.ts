@@ -1,7 +1,7 @@
 // The controls beside the picture: native elements, which keyboards and screen readers support.
 import { asksForCrosstalk } from "./data";
 import { button, check, chooser, element, folded, group, rounded, slider, tip, type Shown } from "./elements";
-import { hasCrosstalk, neighbourShare, shareOfZone, slopeInZone, type Field } from "./field";
+import { hasCrosstalk, neighbourShare, shareOfZone, slopeWithinZone, type Field } from "./field";
 import type { Live } from "./live";
 import { jobGroup, lightDetails, setUpGroups } from "./live_controls";
 import type { Motion } from "./motion";
@@ -140,7 +140,7 @@ function zone(label: string, axis: 0 | 1, store: Store, field: Field, applies: (
   const its = () => (axis === 0 ? field.across : field.up);
   const move = (share: number) => {
     const eye = [...state.eye];
-    eye[axis] = slopeInZone(its(), share) * eye[2];
+    eye[axis] = slopeWithinZone(its(), share) * eye[2];
     store.set({ eye });
   };
   return slider(

@@ -110,6 +110,14 @@ const slopeOf = (axis: Axis, place: number): number => (axis.by === "angle" ? Ma
 export const slopeInZone = (axis: Axis, share: number): number =>
   slopeOf(axis, axis.first + axis.step * (share * axis.views - 0.5));
 
+/** Distance between the limits of the eye and the ends of the zone, as a share of the zone. Rounding in the address and on the
+ *  GPU is smaller, so an eye at a limit is within the zone. */
+const kInset = 1e-4;
+
+/** Like slopeInZone, but limits the share to the zone. */
+export const slopeWithinZone = (axis: Axis, share: number): number =>
+  slopeInZone(axis, Math.min(Math.max(share, kInset), 1 - kInset));
+
 export const shareOfZone = (axis: Axis, slope: number): number =>
   axis.step === 0 ? 0.5 : ((placed(axis, slope) - axis.first) / axis.step + 0.5) / axis.views;
 

@@ -228,6 +228,22 @@ export class Renderer {
     });
   }
 
+  /** Draws a grey rectangle in place of each picture of a frame that is not rendered yet. */
+  drawBlank(state: State, ground: number[]): void {
+    this.layOut(this.shownFields(state).map((one) => this.fields[one]), state, state.stereo !== "off" && state.show === "eye");
+    this.resize(1);
+    const grey = ground.map((part) => 0.7 * part + 0.15);
+    const [width, height] = this.screen;
+    const places = this.pair ? [this.place, magnified(this.pair.panel, 1, [0, 0])] : [state.show === "display" ? { left: 0, top: 0, width, height } : this.place];
+    this.beginCanvas(ground);
+    for (const place of places) {
+      this.clip(place);
+      this.gl.clearColor(grey[0], grey[1], grey[2], 1);
+      this.gl.clear(this.gl.COLOR_BUFFER_BIT);
+    }
+    this.clip(null);
+  }
+
   /** Divides the canvas's size by `divisor`. The page stretches the canvas over the same rectangle of the screen. */
   private resize(divisor: number): void {
     const { canvas } = this.gl, scaled = (length: number) => Math.round(length / divisor);

@@ -16,7 +16,8 @@ export function runGroup(run: Run, shown: Shown[]): HTMLElement {
       const { done, frames, state, folder } = run.state;
       status.value = `${run.describe()}\n${folder}`;
       bar.max = frames;
-      bar.value = done;
+      if (done === 0 && run.isUnderWay) bar.removeAttribute("value");
+      else bar.value = done;
       bar.hidden = state === "finished";
       order.textContent = kOrders[state] ?? "";
       order.setAttribute("aria-disabled", String(state === "stopping"));
