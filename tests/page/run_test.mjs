@@ -122,8 +122,9 @@ const middle = () => page.evaluate(() => {
   return [...codes.slice(0, 3)];
 });
 
-test("an unfinished frame is grey, without a hint", async () => {
-  const early = begin(...job("early", "256"));
+test("an unfinished frame is grey, without a hint", async (t) => {
+  const early = begin(...job("early", "128"));
+  t.after(() => early.kill("SIGKILL"));
   await until(() => existsSync(inFolder("early/report.json")));
   early.kill("SIGSTOP");
   assert.deepEqual(pictures("early"), []);
@@ -141,5 +142,4 @@ test("an unfinished frame is grey, without a hint", async () => {
   await page.waitForSelector('#stage[data-drawn="true"][data-pending="false"]');
   assert.equal(await hint.isVisible(), true);
   assert.notEqual(await bar.getAttribute("value"), null);
-  early.kill("SIGKILL");
 });
