@@ -1,5 +1,5 @@
 // `lippmann convert IN OUT`: converts light fields between formats.
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <memory>
 #include <nlohmann/json.hpp>
