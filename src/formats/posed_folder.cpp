@@ -214,6 +214,7 @@ std::string posed_picture_name(int view, int count, const char* ending) {
   const std::size_t digits = std::max<std::size_t>(3, std::to_string(count - 1).size());
   return fmt::format("images/{:0{}}.{}", view, digits, ending);
 }
+
 std::string posed_depth_name(int view, int count) {
   const fs::path picture = posed_picture_name(view, count, "npy");
   return "depth/" + picture.filename().string();

@@ -119,54 +119,17 @@ void read_lists(const JsonFields& json, std::vector<PosedPicture>& pictures, con
 /// Lists the keys of the document and of its frames that are not supported.
 void warn_of_other_keys(const Json& json, const std::string& where, const std::function<void(std::string_view)>& warn) {
   if (!warn) return;
-  static const std::set<std::string_view> known{"w",
-                                                "h",
-                                                "fl_x",
-                                                "fl_y",
-                                                "cx",
-                                                "cy",
-                                                "camera_angle_x",
-                                                "camera_angle_y",
-                                                "k1",
-                                                "k2",
-                                                "k3",
-                                                "k4",
-                                                "p1",
-                                                "p2",
-                                                "is_fisheye",
-                                                "camera_model",
-                                                "frames",
-                                                "train_filenames",
-                                                "val_filenames",
-                                                "test_filenames",
-                                                "depth"};
-  static const std::set<std::string_view> known_of_frames{"w",
-                                                          "h",
-                                                          "fl_x",
-                                                          "fl_y",
-                                                          "cx",
-                                                          "cy",
-                                                          "camera_angle_x",
-                                                          "camera_angle_y",
-                                                          "k1",
-                                                          "k2",
-                                                          "k3",
-                                                          "k4",
-                                                          "p1",
-                                                          "p2",
-                                                          "is_fisheye",
-                                                          "camera_model",
-                                                          "file_path",
-                                                          "depth_file_path",
-                                                          "ray_length_file_path",
-                                                          "transform_matrix",
-                                                          "time"};
+  static const std::set<std::string_view> of_cameras{"w",  "h",  "fl_x", "fl_y", "cx", "cy", "camera_angle_x", "camera_angle_y",
+                                                     "k1", "k2", "k3",   "k4",   "p1", "p2", "is_fisheye",     "camera_model"};
+  static const std::set<std::string_view> of_document{"frames", "train_filenames", "val_filenames", "test_filenames", "depth"};
+  static const std::set<std::string_view> of_frame{"file_path", "depth_file_path", "ray_length_file_path", "transform_matrix",
+                                                   "time"};
   std::set<std::string> others, of_frames;
   for (const auto& [key, value] : json.items())
-    if (!known.contains(key)) others.insert(key);
+    if (!of_cameras.contains(key) && !of_document.contains(key)) others.insert(key);
   for (const Json& frame : json["frames"])
     for (const auto& [key, value] : frame.items())
-      if (!known_of_frames.contains(key)) of_frames.insert(key);
+      if (!of_cameras.contains(key) && !of_frame.contains(key)) of_frames.insert(key);
   std::string text = listed_names({others.begin(), others.end()});
   if (!of_frames.empty())
     text += (text.empty() ? "" : "; ") + ("of frames: " + listed_names({of_frames.begin(), of_frames.end()}));
